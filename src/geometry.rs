@@ -1,0 +1,94 @@
+//! Vertices in sub-pixels and rectangles in whole pixels.
+
+use core::ops::Range;
+
+use embedded_graphics_core::{
+    geometry::{Point, Size},
+    primitives::Rectangle,
+};
+use fixed::{traits::ToFixed, types::I24F8};
+
+/// A point of an outline, in 1/256 pixel.
+///
+/// (0, 0) is the top-left corner of the top-left pixel, y grows downwards, pixel centres lie at half integers. Every
+/// bit pattern is a legal coordinate: -8388608 to 8388607.996 pixels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub struct Vertex {
+    /// Pixels to the right of the left edge of column 0.
+    pub x: I24F8,
+    /// Pixels below the top edge of row 0.
+    pub y: I24F8,
+}
+
+impl Vertex {
+    /// A vertex from anything `fixed` converts: integers, floats, other fixed-point numbers.
+    ///
+    /// What lies beyond the range saturates to its end; a float goes to the nearest 1/256; NaN is 0.
+    #[inline]
+    pub fn new<X, Y>(x: X, y: Y) -> Self
+    where
+        X: ToFixed + Copy + PartialEq,
+        Y: ToFixed + Copy + PartialEq,
+    {
+        Self { x: saturate(x), y: saturate(y) }
+    }
+
+    /// A vertex from sub-pixel bits: 256 to the pixel.
+    #[inline]
+    pub const fn from_bits(x: i32, y: i32) -> Self {
+        Self { x: I24F8::from_bits(x), y: I24F8::from_bits(y) }
+    }
+
+    /// The centre of pixel (x, y); saturating. The `const` form of `Vertex::from(Point::new(x, y))`.
+    #[inline]
+    pub const fn pixel(x: i32, y: i32) -> Self {
+        Self::from_bits(x.saturating_mul(256).saturating_add(128), y.saturating_mul(256).saturating_add(128))
+    }
+}
+
+impl From<Point> for Vertex {
+    #[inline]
+    fn from(point: Point) -> Self {
+        Self::pixel(point.x, point.y)
+    }
+}
+
+/// `ToFixed` panics on NaN, whatever the rounding asked for; this does not.
+#[inline]
+pub(crate) fn saturate<T: ToFixed + Copy + PartialEq>(value: T) -> I24F8 {
+    #[allow(clippy::eq_op, reason = "only NaN differs from itself")]
+    if value != value { I24F8::ZERO } else { value.saturating_to_fixed() }
+}
+
+/// A rectangle of whole pixels, half-open.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct PixelRect {
+    /// The rows.
+    pub rows: Range<i32>,
+    /// The columns.
+    pub columns: Range<i32>,
+}
+
+impl From<Rectangle> for PixelRect {
+    #[inline]
+    fn from(rectangle: Rectangle) -> Self {
+        let Rectangle { top_left, size } = rectangle;
+        Self {
+            rows: top_left.y..top_left.y.saturating_add_unsigned(size.height),
+            columns: top_left.x..top_left.x.saturating_add_unsigned(size.width),
+        }
+    }
+}
+
+impl From<PixelRect> for Rectangle {
+    #[inline]
+    fn from(rect: PixelRect) -> Self {
+        if rect.rows.is_empty() || rect.columns.is_empty() {
+            return Self::new(Point::new(rect.columns.start, rect.rows.start), Size::zero());
+        }
+        Self::new(
+            Point::new(rect.columns.start, rect.rows.start),
+            Size::new(rect.columns.end.abs_diff(rect.columns.start), rect.rows.end.abs_diff(rect.rows.start)),
+        )
+    }
+}

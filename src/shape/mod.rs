@@ -1,0 +1,47 @@
+//! The shapes: each knows its pixels, and no colour or target.
+
+mod active;
+mod circle;
+mod line;
+mod outline;
+mod polygon;
+mod triangle;
+
+pub use active::{ActiveEdge, ActiveEdges};
+pub use circle::Circle;
+pub use line::Line;
+pub use outline::FillRule;
+pub use polygon::{Polygon, PolygonInScratch, PolygonWithCapacity};
+pub use triangle::Triangle;
+
+use crate::{
+    PixelRect,
+    span::{BlockSink, MergeRows, SpanSink},
+};
+
+/// A set of pixels that can be pushed into a sink, cut to a clip.
+///
+/// Which pixels those are does not depend on the clip: drawing through the tiles of any partition gives the whole.
+pub trait Shape {
+    /// A rectangle outside which the shape has no pixel.
+    fn bounds(&self) -> PixelRect;
+
+    /// Pushes the spans inside `clip`: rows go down, columns go right, each pixel once.
+    ///
+    /// # Errors
+    ///
+    /// The sink's, at once.
+    fn spans<S: SpanSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error>;
+
+    /// Pushes the same pixels as rectangles, equal consecutive rows as one.
+    ///
+    /// # Errors
+    ///
+    /// The sink's, at once.
+    #[inline]
+    fn blocks<S: BlockSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
+        let mut merge = MergeRows::new(sink);
+        self.spans(clip, &mut merge)?;
+        merge.finish()
+    }
+}

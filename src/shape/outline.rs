@@ -1,0 +1,241 @@
+//! An outline by rows: where its contours turn from going up to going down.
+//!
+//! Only row centres count, so a vertex stands for the first row whose centre is at or below it, kept within the rows
+//! asked for. An edge between vertices on rows `a < b` crosses the centres of rows `a..b`; one on a single row crosses
+//! none. What lies above the rows asked for thus becomes flat, and costs no more than a look.
+
+use core::ops::Range;
+
+use crate::{Vertex, subpixel::first_centre_at_or_after};
+
+/// Which points are inside where contours overlap or nest.
+///
+/// ```text
+///    winding of a      NonZero       EvenOdd
+///    star's regions
+///         1               #             #
+///       1 2 1           # # #         # . #
+///        1 1             # #           # #
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum FillRule {
+    /// Inside where the outline winds around the point, in either direction.
+    #[default]
+    NonZero,
+    /// Inside where a ray from the point crosses the outline an odd number of times.
+    EvenOdd,
+}
+
+/// One or many closed contours.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) enum Contours<'a> {
+    One(&'a [Vertex]),
+    Many(&'a [&'a [Vertex]]),
+}
+
+/// Indexing that is a constant function and cannot panic: an index out of range reads the origin.
+const fn vertex_at(contour: &[Vertex], index: usize) -> Vertex {
+    if index < contour.len() {
+        #[allow(clippy::indexing_slicing, reason = "compared on the line above")]
+        let vertex = contour[index];
+        vertex
+    } else {
+        Vertex::from_bits(0, 0)
+    }
+}
+
+impl<'a> Contours<'a> {
+    #[inline]
+    pub(crate) const fn len(self) -> usize {
+        match self {
+            Self::One(_) => 1,
+            Self::Many(contours) => contours.len(),
+        }
+    }
+
+    /// A contour out of range is empty.
+    #[inline]
+    pub(crate) const fn contour(self, index: usize) -> &'a [Vertex] {
+        match self {
+            Self::One(contour) if index == 0 => contour,
+            Self::Many(contours) if index < contours.len() => {
+                #[allow(clippy::indexing_slicing, reason = "compared on the line above")]
+                let contour = contours[index];
+                contour
+            }
+            _ => &[],
+        }
+    }
+
+    /// For each local top, in the order of the contours, the contour, the last vertex before it goes down, and the row.
+    #[inline]
+    pub(crate) fn for_each_top(self, rows: &Range<i32>, mut found: impl FnMut(usize, usize, i32)) {
+        for index in 0..self.len() {
+            let mut tops = Tops::new(self.contour(index), rows.start, rows.end);
+            while let Some((vertex, row)) = tops.next() {
+                found(index, vertex, row);
+            }
+        }
+    }
+
+    /// How many edges cross the row's centre.
+    const fn crossings(self, row: i32) -> usize {
+        let mut crossings = 0;
+        let mut index = 0;
+        while index < self.len() {
+            let contour = self.contour(index);
+            if let Some(last) = contour.last() {
+                let mut above = row_of(*last) <= row;
+                let mut vertex = 0;
+                while vertex < contour.len() {
+                    let is_above = row_of(vertex_at(contour, vertex)) <= row;
+                    crossings += (above != is_above) as usize;
+                    above = is_above;
+                    vertex += 1;
+                }
+            }
+            index += 1;
+        }
+        crossings
+    }
+
+    /// The most edges that cross one row's centre. It is reached on a row where a contour turns down.
+    pub(crate) const fn most_crossings(self) -> usize {
+        let mut most = 0;
+        let mut index = 0;
+        while index < self.len() {
+            let mut tops = Tops::new(self.contour(index), i32::MIN, i32::MAX);
+            while let Some((_, row)) = tops.next() {
+                let crossings = self.crossings(row);
+                if crossings > most {
+                    most = crossings;
+                }
+            }
+            index += 1;
+        }
+        most
+    }
+
+    /// Two edges leave every top: as many as could ever be active at once.
+    pub(crate) const fn chains(self) -> usize {
+        let mut chains = 0;
+        let mut index = 0;
+        while index < self.len() {
+            let mut tops = Tops::new(self.contour(index), i32::MIN, i32::MAX);
+            while tops.next().is_some() {
+                chains += 2;
+            }
+            index += 1;
+        }
+        chains
+    }
+}
+
+const fn row_of(vertex: Vertex) -> i32 {
+    first_centre_at_or_after(vertex.y.to_bits())
+}
+
+/// Walks a contour for the vertices where it turns down, its rows kept within `first..=end`.
+struct Tops<'a> {
+    contour: &'a [Vertex],
+    first: i32,
+    end: i32,
+    next: usize,
+    /// The row of the vertex before `next`.
+    row: i32,
+    went_up: bool,
+}
+
+impl<'a> Tops<'a> {
+    #[inline]
+    const fn new(contour: &'a [Vertex], first: i32, end: i32) -> Self {
+        let mut tops = Self { contour, first, end, next: 0, row: 0, went_up: false };
+        let Some(last) = contour.last() else { return tops };
+        tops.row = tops.clamped_row(*last);
+        // How the contour arrives at its last vertex: by its last edge that is not flat.
+        let mut before = contour.len() - 1;
+        while before > 0 {
+            before -= 1;
+            let row = tops.clamped_row(vertex_at(contour, before));
+            if row != tops.row {
+                tops.went_up = row > tops.row;
+                break;
+            }
+        }
+        tops
+    }
+
+    #[inline]
+    const fn clamped_row(&self, vertex: Vertex) -> i32 {
+        let row = row_of(vertex);
+        if row < self.first {
+            self.first
+        } else if row > self.end {
+            self.end
+        } else {
+            row
+        }
+    }
+
+    #[inline]
+    const fn next(&mut self) -> Option<(usize, i32)> {
+        while self.next < self.contour.len() {
+            let index = self.next;
+            let (above, row) = (self.row, self.clamped_row(vertex_at(self.contour, index)));
+            self.next += 1;
+            self.row = row;
+            if row < above {
+                self.went_up = true;
+            } else if row > above {
+                let is_top = self.went_up;
+                self.went_up = false;
+                if is_top {
+                    let before = if index == 0 { self.contour.len() - 1 } else { index - 1 };
+                    return Some((before, above));
+                }
+            }
+        }
+        None
+    }
+}
+
+/// One way along a contour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Way {
+    Forward,
+    Backward,
+}
+
+/// The edge that goes down from `vertex` one way along the contour, past flat edges: its upper and lower vertices'
+/// indices. `None` where the contour turns up.
+#[inline]
+pub(crate) fn edge_below(
+    contour: &[Vertex],
+    vertex: usize,
+    way: Way,
+    rows: &Range<i32>,
+) -> Option<(Vertex, Vertex, usize, i32)> {
+    let clamped = |vertex: Vertex| row_of(vertex).clamp(rows.start, rows.end);
+    let mut index = vertex;
+    let mut upper = *contour.get(index)?;
+    let row = clamped(upper);
+    // A contour all of whose vertices are on one row has no edges; it is not walked around twice.
+    for _ in 0..contour.len() {
+        index = match way {
+            Way::Forward if index + 1 < contour.len() => index + 1,
+            Way::Forward => 0,
+            Way::Backward if index > 0 => index - 1,
+            Way::Backward => contour.len() - 1,
+        };
+        let lower = *contour.get(index)?;
+        let lower_row = clamped(lower);
+        if lower_row > row {
+            return Some((upper, lower, index, lower_row));
+        }
+        if lower_row < row {
+            return None;
+        }
+        upper = lower;
+    }
+    None
+}
