@@ -16,7 +16,7 @@ pub use triangle::Triangle;
 
 use crate::{
     PixelRect,
-    span::{BlockSink, MergeRows, SpanSink},
+    span::{BlockSink, MergeRow, SpanSink},
 };
 
 /// A set of pixels that can be pushed into a sink, cut to a clip.
@@ -40,7 +40,7 @@ pub trait Shape {
     /// The sink's, at once.
     #[inline]
     fn blocks<S: BlockSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
-        let mut merge = MergeRows::new(sink);
+        let mut merge = MergeRow::new(sink);
         self.spans(clip, &mut merge)?;
         merge.finish()
     }

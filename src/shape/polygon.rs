@@ -9,7 +9,7 @@ use crate::{
         active::Table,
         outline::{Contours, FillRule},
     },
-    span::{ClipColumns, Span, SpanSink},
+    span::{BlockSink, ClipColumns, MergeRows, Span, SpanSink},
     subpixel::first_centre_at_or_after,
 };
 
@@ -226,6 +226,12 @@ impl Shape for PolygonInScratch<'_, '_> {
         self.scratch.set(slots);
         result
     }
+
+    fn blocks<S: BlockSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
+        let mut merge = MergeRows::new(sink);
+        self.spans(clip, &mut merge)?;
+        merge.finish()
+    }
 }
 
 /// A polygon that is drawn in scratch on the stack, for `N` active edges: a [`Shape`].
@@ -241,5 +247,11 @@ impl<const N: usize> Shape for PolygonWithCapacity<'_, N> {
 
     fn spans<S: SpanSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
         self.polygon.scan(clip, ActiveEdges::<N>::new().as_mut_slice(), sink)
+    }
+
+    fn blocks<S: BlockSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
+        let mut merge = MergeRows::new(sink);
+        self.spans(clip, &mut merge)?;
+        merge.finish()
     }
 }
