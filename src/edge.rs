@@ -21,7 +21,7 @@
 
 use crate::{
     Vertex,
-    limits::{HALF, NARROW_EXTENT, ONE, STEPPED_HEIGHT, SUBPIXEL_BITS},
+    limits::{HALF, NARROW_REACH, ONE, STEPPED_COLUMNS, STEPPED_HEIGHT, SUBPIXEL_BITS},
     subpixel::{centre, first_centre_at_or_after_wide},
 };
 
@@ -29,10 +29,10 @@ use crate::{
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Edge {
     pub(crate) column: i32,
-    remainder: u32,
+    remainder: i32,
     step_columns: i32,
-    step_remainder: u32,
-    modulus: u32,
+    step_remainder: i32,
+    modulus: i32,
 }
 
 /// The line through an edge's ends, downwards: what an [`Edge`] is made from, for whichever row.
@@ -49,29 +49,32 @@ pub(crate) struct Descent {
 impl Edge {
     pub(crate) const EMPTY: Self = Self { column: 0, remainder: 0, step_columns: 0, step_remainder: 0, modulus: 0 };
 
-    /// The edge on `row`, whose centre lies in `top.y..bottom.y`.
+    /// The edge on `row`, whose centre lies in `top.y..bottom.y`, for vertices anywhere.
     #[inline]
     pub(crate) fn on_row(top: Vertex, bottom: Vertex, row: i32) -> Self {
-        let (y0, y1) = (top.y.to_bits(), bottom.y.to_bits());
-        let below = centre(row).wrapping_sub(y0);
-        let descent = Descent { x0: top.x.to_bits(), x1: bottom.x.to_bits(), dy: y1.wrapping_sub(y0).cast_unsigned() };
-        if below.cast_unsigned() <= ONE.cast_unsigned() && descent.is_narrow() {
-            descent.near_top(below)
+        let below = centre(row).wrapping_sub(top.y.to_bits()).cast_unsigned();
+        let descent = Descent::between(top, bottom);
+        if below <= ONE.cast_unsigned() && descent.is_narrow() {
+            descent.near_top(below.cast_signed())
         } else {
-            descent.at(i64::from(below.cast_unsigned()))
+            descent.at(i64::from(below))
         }
+    }
+
+    /// The same for the first row of an edge in the narrow zone.
+    #[inline(always)]
+    pub(crate) fn on_first_row(top: Vertex, bottom: Vertex, row: i32) -> Self {
+        Descent::between(top, bottom).near_top(centre(row).wrapping_sub(top.y.to_bits()))
     }
 
     /// One row down. Only for an edge lower than `STEPPED_HEIGHT`.
     #[inline(always)]
     pub(crate) fn step(&mut self) {
-        self.column = self.column.wrapping_add(self.step_columns);
-        let (remainder, borrows) = self.remainder.overflowing_sub(self.step_remainder);
-        self.remainder = remainder;
-        if borrows {
-            self.remainder = remainder.wrapping_add(self.modulus);
-            self.column = self.column.wrapping_add(1);
-        }
+        let remainder = self.remainder.wrapping_sub(self.step_remainder);
+        // All ones where it borrows: no jump.
+        let borrows = remainder >> 31;
+        self.column = self.column.wrapping_add(self.step_columns).wrapping_sub(borrows);
+        self.remainder = remainder.wrapping_add(self.modulus & borrows);
     }
 
     /// One row down: by a step where the edge can, else made anew for that row.
@@ -85,58 +88,61 @@ impl Edge {
     }
 
     /// Gives a centre that lies exactly on the edge to the other side: `floor + 1` in place of `ceil`, from here on.
-    #[inline]
-    pub(crate) fn nudge_right(&mut self) {
-        // `n` grows by one. An edge that cannot be stepped was nudged where it was made.
-        if self.remainder == 0 {
-            self.column = self.column.wrapping_add(1);
-            self.remainder = self.modulus;
+    #[inline(always)]
+    pub(crate) fn nudged(self) -> Self {
+        // `n` grows by one.
+        let remainder = self.remainder.wrapping_sub(1);
+        let borrows = remainder >> 31;
+        Self {
+            column: self.column.wrapping_sub(borrows),
+            remainder: remainder.wrapping_add(self.modulus & borrows),
+            ..self
         }
-        self.remainder = self.remainder.wrapping_sub(1);
     }
 }
 
 impl Descent {
-    /// Small enough for [`near_top`](Self::near_top).
-    #[inline]
-    pub(crate) fn is_narrow(self) -> bool {
-        self.dy < NARROW_EXTENT && self.x1.abs_diff(self.x0) < NARROW_EXTENT
+    #[inline(always)]
+    fn between(top: Vertex, bottom: Vertex) -> Self {
+        let dy = bottom.y.to_bits().wrapping_sub(top.y.to_bits()).cast_unsigned();
+        Self { x0: top.x.to_bits(), x1: bottom.x.to_bits(), dy }
     }
 
-    /// The edge `below` sub-pixels below the top, `|below| <= 256`, in `i32` with one division.
-    ///
-    /// With `dx = q dy + rem`, `x = x0 + below q + below rem / dy`: the last term is less than 256, so it moves the
-    /// column by at most one pixel and needs no division of its own.
+    /// Both ends in the narrow zone, as far as x is concerned, and no higher than that.
     #[inline]
+    pub(crate) fn is_narrow(self) -> bool {
+        let is_in_zone = |x: i32| x.wrapping_add(NARROW_REACH).cast_unsigned() <= 2 * NARROW_REACH.cast_unsigned();
+        self.dy <= 2 * NARROW_REACH.cast_unsigned() && is_in_zone(self.x0) && is_in_zone(self.x1)
+    }
+
+    /// The edge `below` sub-pixels below the top, `-128 <= below <= 256`, in `i32` with one division; ends in the
+    /// narrow zone.
+    ///
+    /// With `dx = q dy + rem`, `0 <= rem < dy`, `x = x0 + below q + below rem / dy`: the last term is less than 256, so
+    /// it moves the column by at most one pixel and needs no division of its own.
+    #[inline(always)]
     pub(crate) fn near_top(self, below: i32) -> Edge {
         let dx = self.x1.wrapping_sub(self.x0);
+        // Never 0, but the compiler does not know, and would check.
         let dy = self.dy.cast_signed().max(1);
-        // Truncating: `x0 + below q` then lies between the ends, and cannot wrap.
-        let mut quotient = dx.wrapping_div(dy);
-        let mut rem = dx.wrapping_sub(quotient.wrapping_mul(dy));
-        let x = self.x0.wrapping_add(below.wrapping_mul(quotient));
-        let mut column = x >> SUBPIXEL_BITS;
-        let modulus = dy << SUBPIXEL_BITS;
-        let mut remainder = (HALF - (x & (ONE - 1))) * dy - below * rem;
-        if remainder >= modulus {
-            remainder -= modulus;
-            column -= 1;
-        }
-        while remainder < 0 {
-            remainder += modulus;
-            column += 1;
-        }
+        let (mut quotient, mut rem) = (dx.wrapping_div(dy), dx.wrapping_rem(dy));
         if rem < 0 {
             rem += dy;
             quotient -= 1;
         }
-        Edge {
-            column,
-            remainder: remainder.cast_unsigned(),
-            step_columns: quotient,
-            step_remainder: rem.cast_unsigned() << SUBPIXEL_BITS,
-            modulus: modulus.cast_unsigned(),
+        let x = self.x0.wrapping_add(below.wrapping_mul(quotient));
+        let modulus = dy << SUBPIXEL_BITS;
+        let mut column = x >> SUBPIXEL_BITS;
+        let mut remainder = (HALF - (x & (ONE - 1))) * dy - below * rem;
+        if remainder < 0 {
+            remainder += modulus;
+            column += 1;
         }
+        if remainder < 0 {
+            remainder += modulus;
+            column += 1;
+        }
+        Edge { column, remainder, step_columns: quotient, step_remainder: rem << SUBPIXEL_BITS, modulus }
     }
 
     /// The edge `below` sub-pixels below the top, anywhere from 2^16 above the top to 2^16 below the bottom.
@@ -145,7 +151,7 @@ impl Descent {
         self.at_nudged(below, false)
     }
 
-    /// As [`at`](Self::at); `nudged` as by [`Edge::nudge_right`], also for an edge that cannot be stepped.
+    /// As [`at`](Self::at); `nudged` as by [`Edge::nudged`], also for an edge that cannot be stepped.
     pub(crate) fn at_nudged(self, below: i64, nudged: bool) -> Edge {
         let Self { x0, x1, dy } = self;
         let width = x1.abs_diff(x0);
@@ -166,7 +172,7 @@ impl Descent {
         // The centre's distance from x, in 0..256, and from x(Y), in 1/dy.
         let excess = (column << SUBPIXEL_BITS) + i64::from(HALF) - x;
         let remainder = excess.cast_unsigned() * u64::from(dy) + u64::from(beyond);
-        let column = clamp_to_i32(column + i64::from(nudged && remainder == 0));
+        let column = clamp_to_i32(column);
         let (quotient, rem) = (width / dy.max(1), width % dy.max(1));
         let (step_columns, rem) = if x1 >= x0 {
             (quotient.cast_signed(), rem)
@@ -175,15 +181,15 @@ impl Descent {
         } else {
             (quotient.wrapping_neg().wrapping_sub(1).cast_signed(), dy.wrapping_sub(rem))
         };
-        if dy >= STEPPED_HEIGHT {
+        if dy >= STEPPED_HEIGHT || quotient > STEPPED_COLUMNS {
+            let column = column.saturating_add(i32::from(nudged && remainder == 0));
             return Edge { column, ..Edge::EMPTY };
         }
-        let modulus = dy << SUBPIXEL_BITS;
-        let remainder = match (nudged, remainder) {
-            (true, 0) => modulus.wrapping_sub(1),
-            (nudged, remainder) => low_word(remainder).wrapping_sub(u32::from(nudged)),
-        };
-        Edge { column, remainder, step_columns, step_remainder: rem << SUBPIXEL_BITS, modulus }
+        // All below 2^31, as `dy` is below 2^23.
+        let modulus = (dy << SUBPIXEL_BITS).cast_signed();
+        let step_remainder = (rem << SUBPIXEL_BITS).cast_signed();
+        let edge = Edge { column, remainder: low_word(remainder).cast_signed(), step_columns, step_remainder, modulus };
+        if nudged { edge.nudged() } else { edge }
     }
 }
 

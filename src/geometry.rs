@@ -2,6 +2,7 @@
 
 use core::ops::Range;
 
+use crate::limits::{NARROW_REACH, SUBPIXEL_BITS};
 use embedded_graphics_core::{
     geometry::{Point, Size},
     primitives::Rectangle,
@@ -67,6 +68,19 @@ pub struct PixelRect {
     pub rows: Range<i32>,
     /// The columns.
     pub columns: Range<i32>,
+}
+
+impl PixelRect {
+    /// What of it lies in the narrow zone, in sub-pixels: rows, columns. See `limits::NARROW_REACH`.
+    #[inline]
+    pub(crate) fn narrow(&self) -> (Range<i32>, Range<i32>) {
+        const REACH_PX: i32 = NARROW_REACH >> SUBPIXEL_BITS;
+        let narrow = |range: &Range<i32>| {
+            let subpixels = |pixel: i32| pixel.clamp(-REACH_PX, REACH_PX) << SUBPIXEL_BITS;
+            subpixels(range.start)..subpixels(range.end)
+        };
+        (narrow(&self.rows), narrow(&self.columns))
+    }
 }
 
 impl From<Rectangle> for PixelRect {

@@ -12,20 +12,25 @@ pub(crate) const ONE: i32 = 1 << SUBPIXEL_BITS;
 /// From a pixel's edge to its centre.
 pub(crate) const HALF: i32 = ONE / 2;
 
-/// Edges below this height (65536 pixels) are stepped; taller ones are divided afresh on every row.
+/// Edges below this height (32768 pixels) are stepped; taller ones are divided afresh on every row.
 ///
-/// A stepped edge keeps a remainder in `0..D` in 32 bits: `256 dy < 2^32`.
-pub(crate) const STEPPED_HEIGHT: u32 = 1 << 24;
-const _: () = assert!((STEPPED_HEIGHT as u64 - 1) * (ONE as u64) < 1 << 32);
+/// A stepped edge keeps a remainder in `0..D`, `D = 256 dy`, and between two rows `-D..D`, in an `i32`.
+pub(crate) const STEPPED_HEIGHT: u32 = 1 << 23;
+const _: () = assert!((STEPPED_HEIGHT as i64 - 1) * (ONE as i64) < 1 << 31);
 
-/// Edges below this height and width (16384 pixels) that start on a visible row are set up in `i32`.
+/// Edges that move by more columns a row (all there are) are divided afresh, too: their next step may leave `i32`.
+pub(crate) const STEPPED_COLUMNS: u32 = 1 << 24;
+
+/// How far from the origin (8192 pixels) the narrow zone reaches: there edges that start on a visible row are set up in
+/// `i32`.
 ///
-/// The numerator is `(b - 128) dy + t rem` with `0 <= b < 256`, `|t| <= 256`, `|rem| < dy`: at most `384 dy` in
-/// magnitude. One more `D` is added while it is normalized: `640 dy < 2^31` is not needed, as the sign is that of the
-/// smaller operand, but holds up to 13107 pixels; the sum never grows past its larger operand.
-pub(crate) const NARROW_EXTENT: u32 = 1 << 22;
-const _: () = assert!((NARROW_EXTENT as i64) * 384 < 1 << 31);
-const _: () = assert!(NARROW_EXTENT <= STEPPED_HEIGHT);
+/// `dx` and `dy` are then at most 2^22. The remainder begins as `(128 - b) dy - t rem` with `0 <= b < 256`,
+/// `-128 <= t <= 256` and `0 <= rem < dy`: in `-383 dy..=256 dy`. A line's first boundary may be `128 dx` from its end.
+pub(crate) const NARROW_REACH: i32 = 1 << 21;
+const _: () = assert!(2 * NARROW_REACH as i64 * 383 < 1 << 31);
+const _: () = assert!(256 * (2 * NARROW_REACH as i64) < 1 << 31);
+const _: () = assert!(NARROW_REACH as i64 + 128 * (2 * NARROW_REACH as i64) < 1 << 31);
+const _: () = assert!(2 * (NARROW_REACH as u32) < STEPPED_HEIGHT);
 
 /// Circles up to this radius (2048 pixels) are stepped in `i32`; larger ones take a square root a row.
 ///

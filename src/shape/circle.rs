@@ -9,7 +9,7 @@ use crate::{
     geometry::saturate,
     limits::{HALF, ONE, STEPPED_RADIUS, SUBPIXEL_BITS},
     shape::Shape,
-    span::{ClipColumns, Span, SpanSink},
+    span::{BlockSink, OpenBlock, SpanSink, SplitRows, clip_range},
     subpixel::{first_centre_at_or_after_wide, pixel_holding},
 };
 
@@ -92,19 +92,22 @@ impl Shape for Circle {
 
     #[inline]
     fn spans<S: SpanSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
+        self.blocks(clip, &mut SplitRows(sink))
+    }
+
+    #[inline]
+    fn blocks<S: BlockSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
         let bounds = self.bounds();
-        let rows = bounds.rows.start.max(clip.rows.start)..bounds.rows.end.min(clip.rows.end);
+        let rows = clip_range(&bounds.rows, &clip.rows);
         if rows.is_empty() || self.radius <= 0 {
             return Ok(());
         }
-        if self.radius.to_bits() > STEPPED_RADIUS {
-            return self.by_square_root(rows, &mut ClipColumns { columns: clip.columns.clone(), sink });
-        }
-        let skipped = rows.start != bounds.rows.start;
-        if bounds.columns.start >= clip.columns.start && bounds.columns.end <= clip.columns.end {
-            self.by_steps(rows, skipped, sink)
+        let is_whole =
+            rows == bounds.rows && bounds.columns.start >= clip.columns.start && bounds.columns.end <= clip.columns.end;
+        if is_whole && self.radius.to_bits() <= STEPPED_RADIUS {
+            self.by_steps(rows, None, sink)
         } else {
-            self.by_steps(rows, skipped, &mut ClipColumns { columns: clip.columns.clone(), sink })
+            self.cut(rows, &clip.columns, sink)
         }
     }
 }
@@ -152,6 +155,16 @@ impl End {
 }
 
 impl Circle {
+    /// What the clip leaves of it, of any size.
+    #[inline(never)]
+    fn cut<S: BlockSink>(&self, rows: Range<i32>, columns: &Range<i32>, sink: &mut S) -> Result<(), S::Error> {
+        if self.radius.to_bits() <= STEPPED_RADIUS {
+            self.by_steps(rows, Some(columns), sink)
+        } else {
+            self.by_square_root(rows, columns, sink)
+        }
+    }
+
     /// The midpoint circle, for a centre anywhere in a pixel.
     ///
     /// With local columns `c` and rows `r` (0 holds the centre) and `a`, `b` from the circle's centre to that pixel's,
@@ -161,7 +174,12 @@ impl Circle {
     /// moving a pixel adds a first difference that itself grows by 256 (J. E. Bresenham, "A linear algorithm for
     /// incremental digital display of circular arcs", 1977).
     #[inline(always)]
-    fn by_steps<S: SpanSink>(&self, rows: Range<i32>, skipped: bool, sink: &mut S) -> Result<(), S::Error> {
+    fn by_steps<S: BlockSink>(
+        &self,
+        rows: Range<i32>,
+        clip: Option<&Range<i32>>,
+        sink: &mut S,
+    ) -> Result<(), S::Error> {
         let (x, y, radius) = (self.center.x.to_bits(), self.center.y.to_bits(), self.radius.to_bits());
         let (column, row) = (pixel_holding(x), pixel_holding(y));
         let (a, b) = (HALF - (x & (ONE - 1)), HALF - (y & (ONE - 1)));
@@ -177,13 +195,17 @@ impl Circle {
         let mut down = HALF * (2 * local + 1) + b;
         let mut left = End::at(1, value, -a);
         let mut right = End::at(0, value, a);
-        if skipped && value < 0 {
+        if clip.is_some() && value < 0 {
             let reach = half_width(radius, ONE * local + b);
             left = End::at(((reach + a) >> SUBPIXEL_BITS) + 1, value, -a);
             right = End::at(((reach - a) >> SUBPIXEL_BITS) + 1, value, a);
         }
+        let mut block = OpenBlock::new();
+        let end = rows.end;
         for row in rows {
-            if value < 0 {
+            let columns = if value >= 0 {
+                0..0
+            } else {
                 if local <= 0 {
                     left.grow();
                     right.grow();
@@ -191,34 +213,34 @@ impl Circle {
                     left.shrink();
                     right.shrink();
                 }
-                sink.span(Span { row, columns: column + 1 - left.columns..column + right.columns })?;
-            } else if local > 0 {
-                break;
-            }
+                let columns = column + 1 - left.columns..column + right.columns;
+                clip.map_or(columns.clone(), |clip| clip_range(&columns, clip))
+            };
+            block.row(row, columns, sink)?;
             value += down;
             left.value += down;
             right.value += down;
             down += ONE;
             local += 1;
         }
-        Ok(())
+        block.finish(end, sink)
     }
 
     /// For radii whose squares leave `i32`: `(R - dy)(R + dy)` fits 64 bits for every radius.
     #[inline(never)]
-    fn by_square_root<S: SpanSink>(&self, rows: Range<i32>, sink: &mut S) -> Result<(), S::Error> {
+    fn by_square_root<S: BlockSink>(&self, rows: Range<i32>, clip: &Range<i32>, sink: &mut S) -> Result<(), S::Error> {
         let (y, radius) = (i64::from(self.center.y.to_bits()), i64::from(self.radius.to_bits()));
+        let mut block = OpenBlock::new();
+        let end = rows.end;
         for row in rows {
             let dy = i64::from(row) * i64::from(ONE) + i64::from(HALF) - y;
             // Positive: the row is inside the bounds.
             let square = ((radius - dy) * (radius + dy)).cast_unsigned();
             let reach = square.saturating_sub(1).isqrt().cast_signed();
             let columns = Self::centres_within(self.center.x.to_bits(), reach);
-            if !columns.is_empty() {
-                sink.span(Span { row, columns })?;
-            }
+            block.row(row, clip_range(&columns, clip), sink)?;
         }
-        Ok(())
+        block.finish(end, sink)
     }
 }
 

@@ -5,9 +5,9 @@ use core::{mem::replace, ops::Range};
 use crate::{
     PixelRect, Vertex,
     edge::{Descent, Edge, divide_product},
-    limits::{HALF, NARROW_EXTENT, ONE, SUBPIXEL_BITS},
+    limits::{HALF, ONE, SUBPIXEL_BITS},
     shape::Shape,
-    span::{BlockSink, Span, SpanSink},
+    span::{BlockSink, SpanSink, SplitRows},
     subpixel::pixel_holding,
 };
 
@@ -73,20 +73,18 @@ impl Shape for Line {
             sorted(self.start.x.to_bits(), self.end.x.to_bits()),
             sorted(self.start.y.to_bits(), self.end.y.to_bits()),
         );
+        let held = |(low, high): (i32, i32), margin: i32| pixel_holding(low) - margin..pixel_holding(high) + 1 + margin;
         // Half a pixel beyond an end along the major axis, the line may be up to half a pixel further on the minor.
-        let around = |(low, high): (i32, i32), margin: i32| {
-            pixel_holding(low.saturating_sub(margin))..pixel_holding(high.saturating_add(margin)) + 1
-        };
         if self.is_x_major() {
-            PixelRect { rows: around(y, ONE / 2), columns: around(x, 0) }
+            PixelRect { rows: held(y, 1), columns: held(x, 0) }
         } else {
-            PixelRect { rows: around(y, 0), columns: around(x, ONE / 2) }
+            PixelRect { rows: held(y, 0), columns: held(x, 1) }
         }
     }
 
     #[inline]
     fn spans<S: SpanSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
-        self.blocks(clip, &mut Rows(sink))
+        self.blocks(clip, &mut SplitRows(sink))
     }
 
     #[inline]
@@ -108,22 +106,6 @@ impl Shape for Line {
 #[inline]
 fn sorted(a: i32, b: i32) -> (i32, i32) {
     (a.min(b), a.max(b))
-}
-
-/// Spans from blocks: those of a line are the only ones on their rows.
-#[derive(Debug)]
-struct Rows<'s, S>(&'s mut S);
-
-impl<S: SpanSink> BlockSink for Rows<'_, S> {
-    type Error = S::Error;
-
-    #[inline]
-    fn block(&mut self, rows: Range<i32>, columns: Range<i32>) -> Result<(), S::Error> {
-        for row in rows {
-            self.0.span(Span { row, columns: columns.clone() })?;
-        }
-        Ok(())
-    }
 }
 
 /// The line in its own axes: `major` advances a pixel a step, `minor` by at most one.
@@ -166,17 +148,16 @@ impl Runs {
         let (low, high) = sorted(first.0, last.0);
         let (low_px, high_px) = (pixel_holding(low), pixel_holding(high));
         let pixels = low_px.max(clip.start)..(high_px + 1).min(clip.end);
-        // 2^21 pixels from the origin: boundaries that the extended line crosses before its end then fit `i32`.
-        let near = |x: i32| x.unsigned_abs() < 1 << 29;
+        let descent = Descent { x0: first.0, x1: last.0, dy: first.1.abs_diff(last.1) };
         let is_whole = pixels.start == low_px && pixels.end == high_px + 1 && cells.contains(&cell);
         Self {
-            descent: Descent { x0: first.0, x1: last.0, dy: first.1.abs_diff(last.1) },
+            descent,
             minor: first.1,
             cell,
             direction,
             pixels,
             cells: cells.clone(),
-            is_narrow: is_whole && high.abs_diff(low) < NARROW_EXTENT && near(low) && near(high),
+            is_narrow: is_whole && descent.is_narrow(),
         }
     }
 
@@ -203,11 +184,8 @@ impl Runs {
             return if self.cells.contains(&cell) { emit(self.pixels, cell) } else { Ok(()) };
         }
         let mut boundary = if self.is_narrow {
-            let mut boundary = self.descent.near_top(self.progress_narrow());
-            if self.is_nudged() {
-                boundary.nudge_right();
-            }
-            boundary
+            let boundary = self.descent.near_top(self.progress_narrow());
+            if self.is_nudged() { boundary.nudged() } else { boundary }
         } else {
             match self.skip_to_clip() {
                 Some(boundary) => boundary,

@@ -16,7 +16,7 @@ pub use triangle::Triangle;
 
 use crate::{
     PixelRect,
-    span::{BlockSink, MergeRow, SpanSink},
+    span::{BlockSink, SpanSink},
 };
 
 /// A set of pixels that can be pushed into a sink, cut to a clip.
@@ -38,10 +38,5 @@ pub trait Shape {
     /// # Errors
     ///
     /// The sink's, at once.
-    #[inline]
-    fn blocks<S: BlockSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
-        let mut merge = MergeRow::new(sink);
-        self.spans(clip, &mut merge)?;
-        merge.finish()
-    }
+    fn blocks<S: BlockSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error>;
 }

@@ -228,9 +228,7 @@ impl Shape for PolygonInScratch<'_, '_> {
     }
 
     fn blocks<S: BlockSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
-        let mut merge = MergeRows::new(sink);
-        self.spans(clip, &mut merge)?;
-        merge.finish()
+        MergeRows::merged(sink, |merge| self.spans(clip, merge))
     }
 }
 
@@ -250,8 +248,6 @@ impl<const N: usize> Shape for PolygonWithCapacity<'_, N> {
     }
 
     fn blocks<S: BlockSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
-        let mut merge = MergeRows::new(sink);
-        self.spans(clip, &mut merge)?;
-        merge.finish()
+        MergeRows::merged(sink, |merge| self.spans(clip, merge))
     }
 }

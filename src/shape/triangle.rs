@@ -1,13 +1,14 @@
 //! Filled triangle: two trapezoids that share the long edge.
 
-use core::mem::swap;
+use core::{mem::swap, ops::Range};
+
+use fixed::types::I24F8;
 
 use crate::{
     PixelRect, Vertex,
     edge::Edge,
-    limits::NARROW_EXTENT,
     shape::Shape,
-    span::{ClipColumns, Span, SpanSink},
+    span::{BlockSink, OpenBlock, SpanSink, SplitRows, clip_range},
     subpixel::first_centre_at_or_after,
 };
 
@@ -84,6 +85,27 @@ impl Shape for Triangle {
 
     #[inline]
     fn spans<S: SpanSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
+        self.blocks(clip, &mut SplitRows(sink))
+    }
+
+    #[inline]
+    fn blocks<S: BlockSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
+        let sorted = self.sorted();
+        if self.is_narrow(&sorted, clip) { sorted.walk_narrow(sink) } else { sorted.walk_any(clip, sink) }
+    }
+}
+
+/// The corners from top to bottom.
+#[derive(Debug, Clone, Copy)]
+struct Sorted {
+    top: Vertex,
+    middle: Vertex,
+    bottom: Vertex,
+}
+
+impl Triangle {
+    #[inline(always)]
+    fn sorted(&self) -> Sorted {
         let [mut top, mut middle, mut bottom] = self.vertices;
         if top.y > middle.y {
             swap(&mut top, &mut middle);
@@ -94,89 +116,89 @@ impl Shape for Triangle {
         if top.y > middle.y {
             swap(&mut top, &mut middle);
         }
-        let rows = [top, middle, bottom].map(|vertex| {
-            first_centre_at_or_after(vertex.y.to_bits()).clamp(clip.rows.start, clip.rows.end.max(clip.rows.start))
-        });
+        Sorted { top, middle, bottom }
+    }
+
+    /// All of it is inside the clip and in the narrow zone.
+    #[inline(always)]
+    fn is_narrow(&self, sorted: &Sorted, clip: &PixelRect) -> bool {
+        let (rows, columns) = clip.narrow();
         let (left, right) = self.extent();
-        let inside =
-            first_centre_at_or_after(left) >= clip.columns.start && first_centre_at_or_after(right) <= clip.columns.end;
-        let height = bottom.y.to_bits().wrapping_sub(top.y.to_bits()).cast_unsigned();
-        let narrow = height.max(right.wrapping_sub(left).cast_unsigned()) < NARROW_EXTENT;
-        if inside && narrow {
-            walk_narrow([top, middle, bottom], rows, sink)
-        } else {
-            walk_any([top, middle, bottom], rows, &mut ClipColumns { columns: clip.columns.clone(), sink })
-        }
+        left >= columns.start
+            && right <= columns.end
+            && sorted.top.y >= I24F8::from_bits(rows.start)
+            && sorted.bottom.y <= I24F8::from_bits(rows.end)
     }
 }
 
-/// Rows `rows[0]..rows[1]` between the long edge and the upper, `rows[1]..rows[2]` between the long and the lower.
-#[inline(always)]
-fn walk_narrow<S: SpanSink>(
-    [top, middle, bottom]: [Vertex; 3],
-    [first, turn, end]: [i32; 3],
-    sink: &mut S,
-) -> Result<(), S::Error> {
-    if first >= end {
-        return Ok(());
+impl Sorted {
+    /// The first rows of the upper and the lower half, and the row after the last.
+    #[inline(always)]
+    fn rows(&self) -> [i32; 3] {
+        [self.top, self.middle, self.bottom].map(|vertex| first_centre_at_or_after(vertex.y.to_bits()))
     }
-    let mut long = Edge::on_row(top, bottom, first);
-    let middle_is_right = is_right_of(top, bottom, middle);
-    let mut row = first;
-    let (mut from, mut to) = ((top, middle), turn);
-    loop {
-        if row < to {
-            let short = Edge::on_row(from.0, from.1, row);
-            let (mut left, mut right) = if middle_is_right { (long, short) } else { (short, long) };
-            while row < to {
-                if left.column < right.column {
-                    sink.span(Span { row, columns: left.column..right.column })?;
-                }
-                left.step();
-                right.step();
-                row += 1;
-            }
-            long = if middle_is_right { left } else { right };
-        }
-        if to == end {
+
+    #[inline(always)]
+    fn walk_narrow<S: BlockSink>(&self, sink: &mut S) -> Result<(), S::Error> {
+        if self.middle_is_right() { self.walk_halves::<S, true>(sink) } else { self.walk_halves::<S, false>(sink) }
+    }
+
+    /// Whether the middle vertex lies to the right of the long edge.
+    #[inline(always)]
+    fn middle_is_right(&self) -> bool {
+        let dx = |to: Vertex| i64::from(to.x.to_bits().wrapping_sub(self.top.x.to_bits()));
+        let dy = |to: Vertex| i64::from(to.y.to_bits().wrapping_sub(self.top.y.to_bits()));
+        dx(self.middle) * dy(self.bottom) > dx(self.bottom) * dy(self.middle)
+    }
+
+    #[inline(always)]
+    fn walk_halves<S: BlockSink, const MIDDLE_IS_RIGHT: bool>(&self, sink: &mut S) -> Result<(), S::Error> {
+        let [first, turn, end] = self.rows();
+        if first == end {
             return Ok(());
         }
-        (from, to) = ((middle, bottom), end);
-    }
-}
-
-/// Whether `point` lies to the right of the line from `top` to `bottom`; differences below 2^22.
-#[inline]
-fn is_right_of(top: Vertex, bottom: Vertex, point: Vertex) -> bool {
-    let dx = |to: Vertex| i64::from(to.x.to_bits().wrapping_sub(top.x.to_bits()));
-    let dy = |to: Vertex| i64::from(to.y.to_bits().wrapping_sub(top.y.to_bits()));
-    dx(point) * dy(bottom) > dx(bottom) * dy(point)
-}
-
-/// The same for every coordinate there is: which edge is the left one is seen from the columns.
-#[inline(never)]
-fn walk_any<S: SpanSink>(
-    [top, middle, bottom]: [Vertex; 3],
-    [first, turn, end]: [i32; 3],
-    sink: &mut S,
-) -> Result<(), S::Error> {
-    if first >= end {
-        return Ok(());
-    }
-    let mut long = Edge::on_row(top, bottom, first);
-    for (from, to, rows) in [(top, middle, first..turn), (middle, bottom, turn..end)] {
-        if rows.is_empty() {
-            continue;
-        }
-        let mut short = Edge::on_row(from, to, rows.start);
-        for row in rows {
-            let columns = long.column.min(short.column)..long.column.max(short.column);
-            if !columns.is_empty() {
-                sink.span(Span { row, columns })?;
+        let mut long = Edge::on_first_row(self.top, self.bottom, first);
+        let mut block = OpenBlock::new();
+        let mut walk_half = |mut short: Edge, rows: Range<i32>| {
+            for row in rows {
+                let columns = if MIDDLE_IS_RIGHT { long.column..short.column } else { short.column..long.column };
+                block.row(row, columns, sink)?;
+                long.step();
+                short.step();
             }
-            long.step_or(|| Edge::on_row(top, bottom, row.wrapping_add(1)));
-            short.step_or(|| Edge::on_row(from, to, row.wrapping_add(1)));
+            Ok(())
+        };
+        if first < turn {
+            walk_half(Edge::on_first_row(self.top, self.middle, first), first..turn)?;
         }
+        if turn < end {
+            walk_half(Edge::on_first_row(self.middle, self.bottom, turn), turn..end)?;
+        }
+        block.finish(end, sink)
     }
-    Ok(())
+
+    /// For every coordinate and clip there is. Which edge is the left one is seen from the columns.
+    #[inline(never)]
+    fn walk_any<S: BlockSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
+        let Self { top, middle, bottom } = *self;
+        let [first, turn, end] = self.rows().map(|row| row.min(clip.rows.end).max(clip.rows.start));
+        if first == end {
+            return Ok(());
+        }
+        let mut long = Edge::on_row(top, bottom, first);
+        let mut block = OpenBlock::new();
+        for (from, to, rows) in [(top, middle, first..turn), (middle, bottom, turn..end)] {
+            if rows.is_empty() {
+                continue;
+            }
+            let mut short = Edge::on_row(from, to, rows.start);
+            for row in rows {
+                let columns = long.column.min(short.column)..long.column.max(short.column);
+                block.row(row, clip_range(&columns, &clip.columns), sink)?;
+                long.step_or(|| Edge::on_row(top, bottom, row.wrapping_add(1)));
+                short.step_or(|| Edge::on_row(from, to, row.wrapping_add(1)));
+            }
+        }
+        block.finish(end, sink)
+    }
 }

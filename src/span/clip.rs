@@ -16,7 +16,13 @@ impl<S: SpanSink> SpanSink for ClipColumns<'_, S> {
 
     #[inline]
     fn span(&mut self, span: Span) -> Result<(), S::Error> {
-        let columns = span.columns.start.max(self.columns.start)..span.columns.end.min(self.columns.end);
+        let columns = clip_range(&span.columns, &self.columns);
         if columns.is_empty() { Ok(()) } else { self.sink.span(Span { row: span.row, columns }) }
     }
+}
+
+/// What of `range` lies in `clip`; nothing may also be a range that runs backwards.
+#[inline(always)]
+pub(crate) fn clip_range(range: &Range<i32>, clip: &Range<i32>) -> Range<i32> {
+    range.start.max(clip.start)..range.end.min(clip.end)
 }

@@ -9,39 +9,52 @@ use heapless::Vec;
 
 use crate::span::{BlockSink, Span, SpanSink};
 
-/// For shapes with one span a row.
+/// For shapes with one span a row, which send blocks: the one that is still growing.
+///
+/// It is told every row from the first to the last, those without a pixel too, so a row is compared by its columns only.
 #[derive(Debug)]
-pub(crate) struct MergeRow<'s, S> {
-    sink: &'s mut S,
-    rows: Range<i32>,
+pub(crate) struct OpenBlock {
+    top: i32,
     columns: Range<i32>,
 }
 
-impl<'s, S: BlockSink> MergeRow<'s, S> {
-    #[inline]
-    pub(crate) fn new(sink: &'s mut S) -> Self {
-        Self { sink, rows: 0..0, columns: 0..0 }
+impl OpenBlock {
+    #[inline(always)]
+    pub(crate) fn new() -> Self {
+        Self { top: 0, columns: 0..0 }
     }
 
-    /// Sends what is still open.
-    #[inline]
-    pub(crate) fn finish(self) -> Result<(), S::Error> {
-        if self.rows.is_empty() { Ok(()) } else { self.sink.block(self.rows, self.columns) }
+    /// The next row has `columns`, which may be empty.
+    #[inline(always)]
+    pub(crate) fn row<S: BlockSink>(&mut self, row: i32, columns: Range<i32>, sink: &mut S) -> Result<(), S::Error> {
+        if columns == self.columns {
+            return Ok(());
+        }
+        let top = replace(&mut self.top, row);
+        let columns = replace(&mut self.columns, columns);
+        if columns.is_empty() { Ok(()) } else { sink.block(top..row, columns) }
+    }
+
+    /// There are no more rows before `end`.
+    #[inline(always)]
+    pub(crate) fn finish<S: BlockSink>(self, end: i32, sink: &mut S) -> Result<(), S::Error> {
+        if self.columns.is_empty() { Ok(()) } else { sink.block(self.top..end, self.columns) }
     }
 }
 
-impl<S: BlockSink> SpanSink for MergeRow<'_, S> {
+/// Spans from blocks that have their rows to themselves.
+#[derive(Debug)]
+pub(crate) struct SplitRows<'s, S>(pub(crate) &'s mut S);
+
+impl<S: SpanSink> BlockSink for SplitRows<'_, S> {
     type Error = S::Error;
 
-    #[inline(always)]
-    fn span(&mut self, span: Span) -> Result<(), S::Error> {
-        if span.columns == self.columns && span.row == self.rows.end {
-            self.rows.end = span.row.wrapping_add(1);
-            return Ok(());
+    #[inline]
+    fn block(&mut self, rows: Range<i32>, columns: Range<i32>) -> Result<(), S::Error> {
+        for row in rows {
+            self.0.span(Span { row, columns: columns.clone() })?;
         }
-        let rows = replace(&mut self.rows, span.row..span.row.wrapping_add(1));
-        let columns = replace(&mut self.columns, span.columns);
-        if rows.is_empty() { Ok(()) } else { self.sink.block(rows, columns) }
+        Ok(())
     }
 }
 
@@ -61,16 +74,16 @@ pub(crate) struct MergeRows<'s, S> {
 const MERGED_SPANS: usize = 8;
 
 impl<'s, S: BlockSink> MergeRows<'s, S> {
+    /// The blocks of the spans that `walk` sends.
     #[inline]
-    pub(crate) fn new(sink: &'s mut S) -> Self {
-        Self { sink, rows: 0..0, open: Vec::new(), repeated: 0 }
-    }
-
-    /// Sends what is still open.
-    #[inline]
-    pub(crate) fn finish(mut self) -> Result<(), S::Error> {
-        self.end_row()?;
-        self.send()
+    pub(crate) fn merged(
+        sink: &'s mut S,
+        walk: impl FnOnce(&mut Self) -> Result<(), S::Error>,
+    ) -> Result<(), S::Error> {
+        let mut merge = Self { sink, rows: 0..0, open: Vec::new(), repeated: 0 };
+        walk(&mut merge)?;
+        merge.end_row()?;
+        merge.send()
     }
 
     #[inline]

@@ -6,8 +6,8 @@
 mod clip;
 mod merge;
 
-pub(crate) use clip::ClipColumns;
-pub(crate) use merge::{MergeRow, MergeRows};
+pub(crate) use clip::{ClipColumns, clip_range};
+pub(crate) use merge::{MergeRows, OpenBlock, SplitRows};
 
 use core::ops::Range;
 
