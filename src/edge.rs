@@ -125,7 +125,8 @@ impl Descent {
         let dx = self.x1.wrapping_sub(self.x0);
         // Never 0, but the compiler does not know, and would check.
         let dy = self.dy.cast_signed().max(1);
-        let (mut quotient, mut rem) = (dx.wrapping_div(dy), dx.wrapping_rem(dy));
+        let mut quotient = dx.wrapping_div(dy);
+        let mut rem = dx.wrapping_sub(quotient.wrapping_mul(dy));
         if rem < 0 {
             rem += dy;
             quotient -= 1;

@@ -129,16 +129,16 @@ impl Line {
     }
 }
 
-/// Half a pixel or more inside the clip, as the line may leave the rectangle around its ends by that, and in the narrow
-/// zone.
+/// More than half a pixel inside the clip, as the line may leave the rectangle around its ends by that, and in the
+/// narrow zone. On the sides where ranges start, half a pixel will do: a tie goes to the greater pixel.
 #[inline(always)]
 fn is_well_inside(upper: (i32, i32), lower: (i32, i32), clip: &PixelRect) -> bool {
     let (rows, columns) = clip.narrow();
     let (left, right) = sorted(upper.0, lower.0);
     upper.1 >= rows.start + HALF
-        && lower.1 <= rows.end - HALF
+        && lower.1 < rows.end - HALF
         && left >= columns.start + HALF
-        && right <= columns.end - HALF
+        && right < columns.end - HALF
 }
 
 #[inline(always)]

@@ -1,0 +1,203 @@
+//! Strokes become outlines to fill or, when they are hairlines, thin lines.
+
+use kurbo::{Affine, BezPath, PathEl, Point};
+use spanfill::Vertex;
+use usvg::{
+    LineCap,
+    tiny_skia_path::{self, PathBuilder, PathSegment, StrokeDash},
+};
+
+use super::{flatten, transform::stretches};
+
+/// What to draw for a stroke, in pixels.
+#[derive(Debug)]
+pub(crate) enum Stroked {
+    Lines(Vec<[Vertex; 2]>),
+    /// To be filled by the non-zero rule.
+    Outline(BezPath),
+}
+
+/// The stroker keeps its curves within 1/(4 * scale) of the true offset curve: 1/32 pixel.
+const RESOLUTION_SCALE: f32 = 8.0;
+
+/// Strokes `path`, given in user units.
+///
+/// A straight line at most one pixel wide is a hairline: the thin line of the crate, which has a pixel in each column
+/// (or row). So is whatever is thinner than a pixel: a pixel is filled when its centre is inside, and an outline thinner than
+/// a pixel would have gaps where it passes between centres. The ends of a hairline have no caps, they would be
+/// half a pixel at most.
+pub(crate) fn stroke(path: &BezPath, style: &usvg::Stroke, to_device: Affine) -> Option<Stroked> {
+    // Stroked at the display's resolution, and only turned or squeezed afterwards: the stroker has single-precision
+    // numbers and absolute tolerances, which a drawing in units of miles or microns would meet.
+    let (resolution, _) = stretches(to_device);
+    if !(resolution.is_finite() && resolution > 0.0) {
+        return None;
+    }
+    let pixels = scaled(path, resolution)?;
+    let to_device = to_device * Affine::scale(1.0 / resolution);
+
+    let mut stroke = style.to_tiny_skia();
+    stroke.width = (f64::from(stroke.width) * resolution) as f32;
+    let dashed = match style.dasharray() {
+        None => pixels,
+        Some(lengths) => {
+            let lengths = lengths.iter().map(|&length| (f64::from(length) * resolution) as f32);
+            let offset = (f64::from(style.dashoffset()) * resolution) as f32;
+            pixels.dash(&StrokeDash::new(lengths.collect(), offset)?, RESOLUTION_SCALE)?
+        }
+    };
+
+    // In 1/256 pixel, as coordinates are: a width of one pixel times a scale in single precision may exceed it a little.
+    let width = (stroke.width * 256.0).round();
+    let straight = matches!(path.elements(), [PathEl::MoveTo(_), PathEl::LineTo(_)]);
+    if width < 256.0 || (straight && width == 256.0) {
+        let mut chain = to_device * bez_path(&dashed);
+        if style.linecap() == LineCap::Butt {
+            chain = without_dots(&chain);
+        }
+        return Some(Stroked::Lines(flatten::edges(&chain)));
+    }
+    // Dashes are applied already.
+    stroke.dash = None;
+    let outline = dashed.stroke(&stroke, RESOLUTION_SCALE)?;
+    Some(Stroked::Outline(to_device * bez_path(&outline)))
+}
+
+/// A sub-path without length shows its caps and nothing else: without caps it is not drawn.
+fn without_dots(path: &BezPath) -> BezPath {
+    let mut kept = BezPath::new();
+    for sub_path in sub_paths(path) {
+        let bounds = sub_path.control_box();
+        if bounds.width() > 0.0 || bounds.height() > 0.0 {
+            kept.extend(sub_path);
+        }
+    }
+    kept
+}
+
+fn sub_paths(path: &BezPath) -> Vec<BezPath> {
+    let mut all: Vec<BezPath> = Vec::new();
+    for &element in path.elements() {
+        match (element, all.last_mut()) {
+            (PathEl::MoveTo(_), _) | (_, None) => all.push(BezPath::from_vec(vec![element])),
+            (_, Some(current)) => current.push(element),
+        }
+    }
+    all
+}
+
+/// The path of usvg's crate as one of kurbo's, in double precision.
+pub(crate) fn bez_path(path: &tiny_skia_path::Path) -> BezPath {
+    let point = |p: tiny_skia_path::Point| Point::new(f64::from(p.x), f64::from(p.y));
+    path.segments()
+        .map(|segment| match segment {
+            PathSegment::MoveTo(to) => PathEl::MoveTo(point(to)),
+            PathSegment::LineTo(to) => PathEl::LineTo(point(to)),
+            PathSegment::QuadTo(control, to) => PathEl::QuadTo(point(control), point(to)),
+            PathSegment::CubicTo(c1, c2, to) => PathEl::CurveTo(point(c1), point(c2), point(to)),
+            PathSegment::Close => PathEl::ClosePath,
+        })
+        .collect()
+}
+
+/// The other way, multiplied by a factor. None when that leaves no path that could be stroked.
+fn scaled(path: &BezPath, factor: f64) -> Option<tiny_skia_path::Path> {
+    let single = |p: Point| ((p.x * factor) as f32, (p.y * factor) as f32);
+    let mut builder = PathBuilder::new();
+    for element in path.elements() {
+        match *element {
+            PathEl::MoveTo(to) => {
+                let (x, y) = single(to);
+                builder.move_to(x, y);
+            }
+            PathEl::LineTo(to) => {
+                let (x, y) = single(to);
+                builder.line_to(x, y);
+            }
+            PathEl::QuadTo(control, to) => {
+                let ((x1, y1), (x, y)) = (single(control), single(to));
+                builder.quad_to(x1, y1, x, y);
+            }
+            PathEl::CurveTo(control1, control2, to) => {
+                let ((x1, y1), (x2, y2), (x, y)) = (single(control1), single(control2), single(to));
+                builder.cubic_to(x1, y1, x2, y2, x, y);
+            }
+            PathEl::ClosePath => builder.close(),
+        }
+    }
+    builder.finish()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use kurbo::Shape;
+
+    fn stroked(element: &str, to_device: Affine) -> Option<Stroked> {
+        let source = format!(r#"<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9">{element}</svg>"#);
+        let tree = usvg::Tree::from_str(&source, &usvg::Options::default()).expect("valid");
+        let [usvg::Node::Path(path)] = tree.root().children() else { panic!("one path in {element}") };
+        stroke(&bez_path(path.data()), path.stroke().expect("a stroke"), to_device)
+    }
+
+    fn lines(element: &str, to_device: Affine) -> Vec<[Vertex; 2]> {
+        match stroked(element, to_device) {
+            Some(Stroked::Lines(lines)) => lines,
+            other => panic!("lines, not {other:?}"),
+        }
+    }
+
+    fn outline(element: &str, to_device: Affine) -> BezPath {
+        match stroked(element, to_device) {
+            Some(Stroked::Outline(outline)) => outline,
+            other => panic!("an outline, not {other:?}"),
+        }
+    }
+
+    const LINE: &str = r#"<line x1="1" y1="2" x2="5" y2="4" stroke="red" stroke-width="1"/>"#;
+
+    #[test]
+    fn a_line_of_up_to_one_pixel_is_a_hairline() {
+        assert_eq!(lines(LINE, Affine::IDENTITY), [[Vertex::new(1, 2), Vertex::new(5, 4)]]);
+        assert_eq!(lines(LINE, Affine::scale(0.5)), [[Vertex::new(0.5, 1), Vertex::new(2.5, 2)]]);
+        let area = outline(LINE, Affine::scale(2.0)).area().abs();
+        assert!((area - 2.0 * 80f64.sqrt()).abs() < 1e-3, "{area}");
+    }
+
+    #[test]
+    fn other_outlines_are_hairlines_only_below_one_pixel() {
+        let square = |width| format!(r#"<path d="M1 1H5V5H1Z" fill="none" stroke="red" stroke-width="{width}"/>"#);
+        assert_eq!(lines(&square(0.75), Affine::IDENTITY).len(), 4);
+        let frame = outline(&square(1.0), Affine::IDENTITY);
+        let covered = |x, y| frame.winding(Point::new(x, y)) != 0;
+        assert!(covered(0.6, 0.6) && covered(3.0, 1.4) && covered(5.4, 5.4));
+        assert!(!covered(0.4, 3.0) && !covered(3.0, 1.6) && !covered(5.6, 5.6));
+    }
+
+    #[test]
+    fn a_squeezed_stroke_is_squeezed_after_stroking() {
+        let area = outline(LINE, Affine::scale_non_uniform(8.0, 2.0)).area().abs();
+        assert!((area - 16.0 * 20f64.sqrt()).abs() < 1e-2, "{area}");
+    }
+
+    #[test]
+    fn tiny_units_are_stroked_like_large_ones() {
+        let tiny = r#"<path d="M1e-5 2e-5 L5e-5 4e-5" stroke="red" stroke-width="1e-5"/>"#;
+        let area = outline(tiny, Affine::scale(1e6)).area().abs();
+        assert!((area - 200.0 * 5f64.sqrt()).abs() < 1e-1, "{area}");
+    }
+
+    #[test]
+    fn dashes_are_separate_lines() {
+        let dashed = r#"<line x1="0" y1="1" x2="9" y2="1" stroke="red" stroke-dasharray="2 1"/>"#;
+        let expected = [(0, 2), (3, 5), (6, 8)].map(|(from, to)| [Vertex::new(from, 1), Vertex::new(to, 1)]);
+        assert_eq!(lines(dashed, Affine::IDENTITY), expected);
+    }
+
+    #[test]
+    fn dots_have_caps_or_are_not_drawn() {
+        let dot = |cap| format!(r#"<path d="M1 1H1M2 2H4" stroke="red" stroke-width=".5" stroke-linecap="{cap}"/>"#);
+        assert_eq!(lines(&dot("butt"), Affine::IDENTITY).len(), 1);
+        assert_eq!(lines(&dot("round"), Affine::IDENTITY).len(), 2);
+    }
+}

@@ -1,0 +1,343 @@
+//! From an SVG file to a scene.
+
+use embedded_graphics::{
+    geometry::{Point as Pixel, Size},
+    pixelcolor::Rgb888,
+    primitives::Rectangle,
+};
+use kurbo::{Affine, BezPath, Shape};
+use usvg::{BaseGradient, ClipPath, Group, Node, Paint, PaintOrder, Tree, roxmltree};
+
+use super::{
+    arcs::split_arcs,
+    cli::{LONGEST_SIDE, check_size},
+    ellipse::Ellipse,
+    flatten,
+    missing::{Missing, MissingKinds, elements_left_out},
+    scene::{Item, Outline, Scene},
+    stroke::{Stroked, bez_path, stroke},
+    transform::{affine, stretches},
+};
+
+/// Reads an SVG file's content. Says what of it is not drawn as the file asks.
+pub(crate) fn scene_from(source: &[u8], size: Option<Size>) -> Result<(Scene, MissingKinds), String> {
+    let text = std::str::from_utf8(source).map_err(|_| "not an SVG file: not UTF-8 text")?;
+    let syntax = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
+    let document =
+        roxmltree::Document::parse_with_options(text, syntax).map_err(|e| format!("not an SVG file: {e}"))?;
+    let mut options = usvg::Options::default();
+    // Images are not drawn yet: no file that an SVG file names is opened.
+    options.image_href_resolver.resolve_string = Box::new(|_, _| None);
+    let tree = match split_arcs(&document) {
+        None => Tree::from_xmltree(&document, &options),
+        Some(text) => Tree::from_str(&text, &options),
+    };
+    let tree = tree.map_err(|error| match error {
+        usvg::Error::InvalidSize => "its width and height must be above zero".into(),
+        usvg::Error::ParsingFailed(roxmltree::Error::NoRootNode) => {
+            "not an SVG file: its root is no svg element".into()
+        }
+        other => format!("not an SVG file that can be drawn: {other}"),
+    })?;
+
+    let view = View::new(&tree, size)?;
+    let mut walk = Walk { to_device: view.to_device, items: Vec::new(), missing: elements_left_out(&document) };
+    walk.group(tree.root(), view.visible);
+    Ok((Scene { size: view.size, items: walk.items }, walk.missing))
+}
+
+/// Where on the display the drawing goes.
+struct View {
+    size: Size,
+    to_device: Affine,
+    /// The pixels of the drawing's own rectangle: the rest of the display stays background.
+    visible: Rectangle,
+}
+
+impl View {
+    fn new(tree: &Tree, requested: Option<Size>) -> Result<Self, String> {
+        let own = kurbo::Size::new(f64::from(tree.size().width()), f64::from(tree.size().height()));
+        // As many pixels as have their centre in the drawing; the casts saturate, and check_size refuses the result.
+        let natural = Size::new((own.width - 0.5).ceil().max(1.0) as u32, (own.height - 0.5).ceil().max(1.0) as u32);
+        let size = requested.unwrap_or(natural);
+        check_size(size, 1)?;
+
+        let display = kurbo::Size::new(f64::from(size.width), f64::from(size.height));
+        let to_device = if size == natural {
+            Affine::IDENTITY
+        } else {
+            let scale = (display.width / own.width).min(display.height / own.height);
+            let rest = (display - own * scale) * 0.5;
+            Affine::translate(rest.to_vec2()) * Affine::scale(scale)
+        };
+        let visible =
+            pixels_in(to_device.transform_rect_bbox(own.to_rect())).intersection(&Rectangle::new(Pixel::zero(), size));
+        Ok(Self { size, to_device, visible })
+    }
+}
+
+/// The pixels whose centres a rectangle contains, its left and top edge included, as for every shape.
+fn pixels_in(rect: kurbo::Rect) -> Rectangle {
+    // Beyond any display, and far from where a Rectangle's arithmetic overflows; the cast keeps such a number.
+    let far = f64::from(2 * LONGEST_SIDE);
+    let first_centre_from = |position: f64| ((position * 256.0).round() / 256.0 - 0.5).ceil().clamp(-far, far) as i32;
+    let (left, right) = (first_centre_from(rect.x0), first_centre_from(rect.x1));
+    let (top, bottom) = (first_centre_from(rect.y0), first_centre_from(rect.y1));
+    Rectangle::new(Pixel::new(left, top), Size::new(left.abs_diff(right), top.abs_diff(bottom)))
+}
+
+/// Goes through the tree in painting order.
+struct Walk {
+    to_device: Affine,
+    items: Vec<Item>,
+    missing: MissingKinds,
+}
+
+impl Walk {
+    fn group(&mut self, group: &Group, clip: Rectangle) {
+        // Nothing of a group is seen that is wholly transparent.
+        if group.opacity().get() == 0.0 {
+            return;
+        }
+        if group.opacity().get() < 1.0 {
+            self.missing.insert(Missing::Opacity);
+        }
+        if group.mask().is_some() {
+            self.missing.insert(Missing::Mask);
+        }
+        if !group.filters().is_empty() {
+            self.missing.insert(Missing::Filter);
+        }
+        if group.blend_mode() != usvg::BlendMode::Normal {
+            self.missing.insert(Missing::BlendMode);
+        }
+        let clip = match group.clip_path() {
+            None => clip,
+            Some(path) => self.clipped(clip, path, self.to_device * affine(group.abs_transform())),
+        };
+        for node in group.children() {
+            match node {
+                Node::Group(child) => self.group(child, clip),
+                Node::Path(path) => self.path(path, clip),
+                // Named already, from the source.
+                Node::Image(_) | Node::Text(_) => {}
+            }
+        }
+    }
+
+    /// An upright rectangle clips for certain pixels wholly; nested `svg` elements, symbols and markers have such ones.
+    fn clipped(&mut self, clip: Rectangle, path: &ClipPath, to_device: Affine) -> Rectangle {
+        let outer = match path.clip_path() {
+            None => clip,
+            Some(outer) => self.clipped(clip, outer, to_device),
+        };
+        match upright_rectangle(path.root(), to_device * affine(path.transform())) {
+            Some(rect) => outer.intersection(&pixels_in(rect)),
+            None => {
+                self.missing.insert(Missing::ClipPath);
+                outer
+            }
+        }
+    }
+
+    fn path(&mut self, path: &usvg::Path, clip: Rectangle) {
+        if !path.is_visible() {
+            return;
+        }
+        match path.paint_order() {
+            PaintOrder::FillAndStroke => {
+                self.fill(path, clip);
+                self.stroke(path, clip);
+            }
+            PaintOrder::StrokeAndFill => {
+                self.stroke(path, clip);
+                self.fill(path, clip);
+            }
+        }
+    }
+
+    fn fill(&mut self, path: &usvg::Path, clip: Rectangle) {
+        let Some(fill) = path.fill() else { return };
+        let Some(colour) = self.colour(fill.paint(), fill.opacity()) else { return };
+        let to_device = self.to_device * affine(path.abs_transform());
+        let ellipse = Ellipse::recognise(path.data());
+        let circle = ellipse.and_then(|ellipse| ellipse.circle(to_device));
+        let outline = match circle {
+            Some((center, radius)) => Some(Outline::Circle { center, radius }),
+            None => {
+                let rule = match fill.rule() {
+                    usvg::FillRule::NonZero => spanfill::FillRule::NonZero,
+                    usvg::FillRule::EvenOdd => spanfill::FillRule::EvenOdd,
+                };
+                Outline::filling(flatten::flatten(&(to_device * curve(path, ellipse, to_device))), rule)
+            }
+        };
+        self.items.extend(outline.map(|outline| Item { outline, colour, clip }));
+    }
+
+    fn stroke(&mut self, path: &usvg::Path, clip: Rectangle) {
+        let Some(style) = path.stroke() else { return };
+        let Some(colour) = self.colour(style.paint(), style.opacity()) else { return };
+        let to_device = self.to_device * affine(path.abs_transform());
+        let curve = curve(path, Ellipse::recognise(path.data()), to_device);
+        match stroke(&curve, style, to_device) {
+            None => {}
+            Some(Stroked::Lines(lines)) => {
+                let lines = lines.into_iter().map(Outline::Line);
+                self.items.extend(lines.map(|outline| Item { outline, colour, clip }));
+            }
+            Some(Stroked::Outline(outline)) => {
+                let outline = Outline::filling(flatten::flatten(&outline), spanfill::FillRule::NonZero);
+                self.items.extend(outline.map(|outline| Item { outline, colour, clip }));
+            }
+        }
+    }
+
+    /// The one colour that stands for a paint; none when there is nothing to see.
+    fn colour(&mut self, paint: &Paint, opacity: usvg::Opacity) -> Option<Rgb888> {
+        if opacity.get() == 0.0 {
+            return None;
+        }
+        let colour = match paint {
+            Paint::Color(usvg::Color { red, green, blue }) => Rgb888::new(*red, *green, *blue),
+            Paint::LinearGradient(gradient) => self.average(gradient)?,
+            Paint::RadialGradient(gradient) => self.average(gradient)?,
+            Paint::Pattern(_) => {
+                self.missing.insert(Missing::Pattern);
+                return None;
+            }
+        };
+        if opacity.get() < 1.0 {
+            self.missing.insert(Missing::Opacity);
+        }
+        Some(colour)
+    }
+
+    /// The mean over a gradient's length, without its transparent stops.
+    fn average(&mut self, gradient: &BaseGradient) -> Option<Rgb888> {
+        self.missing.insert(Missing::Gradient);
+        let stops: Vec<_> = gradient.stops().iter().filter(|stop| stop.opacity().get() > 0.0).collect();
+        if stops.iter().any(|stop| stop.opacity().get() < 1.0) || stops.len() < gradient.stops().len() {
+            self.missing.insert(Missing::Opacity);
+        }
+        let offset = |index: usize| f64::from(stops[index].offset().get());
+        let last = stops.len().checked_sub(1)?;
+        let mut sum = [0.0; 3];
+        for (index, stop) in stops.iter().enumerate() {
+            // A stop's colour fades to the next one's: it counts for half of the way to each, and outwards wholly.
+            let from = if index == 0 { 0.0 } else { offset(index - 1).midpoint(offset(index)) };
+            let to = if index == last { 1.0 } else { offset(index).midpoint(offset(index + 1)) };
+            let usvg::Color { red, green, blue } = stop.color();
+            for (channel, value) in sum.iter_mut().zip([red, green, blue]) {
+                *channel += (to - from) * f64::from(value);
+            }
+        }
+        // Weights add up to one: the casts lose nothing but the fraction.
+        let [red, green, blue] = sum.map(|channel| channel.round() as u8);
+        Some(Rgb888::new(red, green, blue))
+    }
+}
+
+/// The outline of an element in its own units. Of an ellipse, usvg's cubics are within a tenth of a unit, which may
+/// be many pixels: they are made anew, for the display's resolution.
+fn curve(path: &usvg::Path, ellipse: Option<Ellipse>, to_device: Affine) -> BezPath {
+    let (scale, _) = stretches(to_device);
+    match ellipse {
+        Some(Ellipse { center, radii }) if scale > 0.0 => kurbo::Ellipse::new(center, radii, 0.0).to_path(1e-3 / scale),
+        _ => bez_path(path.data()),
+    }
+}
+
+/// The rectangle on the display that is all of a clip path, if that is what it is.
+fn upright_rectangle(root: &Group, to_device: Affine) -> Option<kurbo::Rect> {
+    let [only] = root.children() else { return None };
+    let path = match only {
+        Node::Group(group) if group.clip_path().is_none() => return upright_rectangle(group, to_device),
+        Node::Path(path) if path.is_visible() && path.fill().is_some() => path,
+        Node::Group(_) | Node::Path(_) | Node::Image(_) | Node::Text(_) => return None,
+    };
+    use kurbo::PathEl::{ClosePath, LineTo, MoveTo};
+    let outline = to_device * affine(path.abs_transform()) * bez_path(path.data());
+    let [MoveTo(a), LineTo(b), LineTo(c), LineTo(d), ClosePath] = *outline.elements() else { return None };
+    let same = |p: f64, q: f64| (p - q).abs() < 1.0 / 512.0;
+    let along_x_first = same(a.y, b.y) && same(b.x, c.x) && same(c.y, d.y) && same(d.x, a.x);
+    let along_y_first = same(a.x, b.x) && same(b.y, c.y) && same(c.x, d.x) && same(d.y, a.y);
+    (along_x_first || along_y_first).then(|| kurbo::Rect::from_points(a, c))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scene(attributes: &str, content: &str, size: Option<Size>) -> Scene {
+        let source = format!(r#"<svg xmlns="http://www.w3.org/2000/svg" {attributes}>{content}</svg>"#);
+        let (scene, missing) = scene_from(source.as_bytes(), size).expect("a drawing");
+        assert!(missing.is_empty(), "{missing:?}");
+        scene
+    }
+
+    fn vertices(outline: &Outline) -> Vec<(i32, i32)> {
+        let all = match outline {
+            Outline::Triangle(vertices) => vertices.to_vec(),
+            Outline::Line(ends) => ends.to_vec(),
+            Outline::Circle { center, .. } => vec![*center],
+            Outline::Polygon { contours, .. } => contours.concat(),
+        };
+        all.iter().map(|vertex| (vertex.x.to_bits(), vertex.y.to_bits())).collect()
+    }
+
+    #[test]
+    fn a_unit_is_a_pixel_and_no_vertex_is_lost() {
+        let content = r#"<path d="M0 0H5V0.25L5 .251 2 3.001Z"/>"#;
+        let scene = scene(r#"width="8" height="4.4""#, content, None);
+        assert_eq!(scene.size, Size::new(8, 4));
+        assert_eq!(vertices(&scene.items[0].outline), [(0, 0), (1280, 0), (1280, 64), (1280, 64), (512, 768)]);
+    }
+
+    #[test]
+    fn a_size_scales_uniformly_and_centres() {
+        let content = r#"<path d="M0 0H10V5H0Z"/>"#;
+        let scene = scene(r#"width="10" height="5""#, content, Some(Size::new(40, 40)));
+        assert_eq!(scene.size, Size::new(40, 40));
+        let expected = [(0, 10), (40, 10), (40, 30), (0, 30)].map(|(x, y)| (x * 256, y * 256));
+        assert_eq!(vertices(&scene.items[0].outline), expected);
+        assert_eq!(scene.items[0].clip, Rectangle::new(Pixel::new(0, 10), Size::new(40, 20)));
+    }
+
+    #[test]
+    fn an_arc_is_as_exact_as_the_display_however_large_its_units() {
+        // Radius 0.4 of a unit that is 2000 pixels.
+        let half_disc = r#"<path d="M.9 .5A.4 .4 0 0 1 .1 .5"/>"#;
+        let ellipse = r#"<ellipse cx=".5" cy=".5" rx=".4" ry=".2"/>"#;
+        for (content, squeeze) in [(half_disc, 1.0), (ellipse, 0.5)] {
+            let scene = scene(r#"viewBox="0 0 1 1""#, content, Some(Size::new(2000, 2000)));
+            let outline = vertices(&scene.items[0].outline);
+            let pixels = outline.iter().map(|&(x, y)| (f64::from(x) / 256.0, f64::from(y) / 256.0));
+            let points: Vec<_> = pixels.map(|(x, y)| kurbo::Point::new(x - 1000.0, (y - 1000.0) / squeeze)).collect();
+            assert!(points.len() > 100);
+            for pair in points.windows(2) {
+                for point in [pair[0], pair[0].midpoint(pair[1])] {
+                    let distance = point.to_vec2().hypot();
+                    assert!((distance - 800.0).abs() < 0.08, "{distance} of 800 at {point}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn clips_may_be_larger_than_any_display() {
+        let content = r#"<clipPath id="c"><rect x="-2e9" y="1" width="4e9" height="1e30"/></clipPath>
+            <rect width="4" height="4" clip-path="url(#c)"/>"#;
+        let scene = scene(r#"width="4" height="4""#, content, None);
+        assert_eq!(scene.items[0].clip, Rectangle::new(Pixel::new(0, 1), Size::new(4, 3)));
+    }
+
+    #[test]
+    fn clips_within_clips_intersect() {
+        let content = r#"<clipPath id="a"><rect x="1" width="9" height="9"/></clipPath>
+            <clipPath id="b" clip-path="url(#a)"><rect y="2" width="3" height="9"/></clipPath>
+            <g clip-path="url(#b)" transform="translate(1 0)"><rect width="9" height="9"/></g>"#;
+        let scene = scene(r#"width="9" height="9""#, content, None);
+        assert_eq!(scene.items[0].clip, Rectangle::new(Pixel::new(2, 2), Size::new(2, 7)));
+    }
+}
