@@ -26,7 +26,7 @@ use crate::{
 };
 
 /// See the module. `modulus` is `D`; 0 where `D` does not fit, and the edge cannot be stepped.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Edge {
     pub(crate) column: i32,
     remainder: i32,
@@ -77,13 +77,18 @@ impl Edge {
         self.remainder = remainder.wrapping_add(self.modulus & borrows);
     }
 
+    #[inline]
+    pub(crate) fn can_step(&self) -> bool {
+        self.modulus != 0
+    }
+
     /// One row down: by a step where the edge can, else made anew for that row.
     #[inline]
     pub(crate) fn step_or(&mut self, next: impl FnOnce() -> Self) {
-        if self.modulus == 0 {
-            *self = next();
-        } else {
+        if self.can_step() {
             self.step();
+        } else {
+            *self = next();
         }
     }
 

@@ -3,67 +3,81 @@
 use core::ops::Range;
 
 use crate::{
+    Vertex,
     edge::Edge,
-    shape::outline::{Contours, Way, edge_below},
+    shape::outline::{Contours, edge_below, next_index},
 };
 
-/// Scratch for one active edge of a polygon; see [`Polygon`](crate::Polygon).
-#[derive(Debug, Clone, Copy)]
+/// Scratch for one active edge of a polygon; see [`Polygon`](crate::Polygon). 32 bytes.
+#[derive(Debug, Clone, Copy, Default)]
 pub struct ActiveEdge {
     edge: Edge,
     /// The row it ends on; of a top that waits, the row it starts on.
     until: i32,
-    /// 1 where the contour goes down, -1 where it goes up.
-    winding: i32,
-    contour: usize,
     /// The vertex it ends at; of a top that waits, the one it starts at.
-    vertex: usize,
+    vertex: u32,
+    /// The contour that it is part of, inverted where it runs up it.
+    contour: i32,
+}
+
+/// Where a contour turns down: two edges start on `row`.
+#[derive(Debug, Clone, Copy)]
+struct Top {
+    row: i32,
+    vertex: u32,
+    contour: i32,
 }
 
 impl ActiveEdge {
     /// Unused scratch.
-    pub const EMPTY: Self = Self { edge: Edge::EMPTY, until: 0, winding: 0, contour: 0, vertex: 0 };
+    pub const EMPTY: Self = Self { edge: Edge::EMPTY, until: 0, vertex: 0, contour: 0 };
 
     /// The edge that leaves `vertex` one way, if it goes down; `row` is the vertex's.
     #[inline]
-    fn below(
-        contours: Contours<'_>,
-        (contour, vertex): (usize, usize),
-        way: Way,
-        row: i32,
-        rows: &Range<i32>,
-    ) -> Option<Self> {
-        let (upper, lower, vertex, until) = edge_below(contours.contour(contour), vertex, way, rows)?;
-        let winding = if way == Way::Forward { 1 } else { -1 };
-        Some(Self { edge: Edge::on_row(upper, lower, row), until, winding, contour, vertex })
+    fn below(contours: Contours<'_>, vertex: u32, contour: i32, row: i32, rows: &Range<i32>) -> Option<Self> {
+        let (upper, lower, vertex, until) = edge_below(contour_of(contours, contour), vertex, contour >= 0, rows)?;
+        Some(Self { edge: Edge::on_row(upper, lower, row), until, vertex, contour })
     }
 
-    #[inline]
-    fn way(&self) -> Way {
-        if self.winding > 0 { Way::Forward } else { Way::Backward }
+    /// 1 where the contour goes down, -1 where it goes up.
+    #[inline(always)]
+    fn winding(&self) -> i32 {
+        (self.contour >> 31) | 1
+    }
+
+    /// A slot that waits uses three of its fields, and only those are moved.
+    #[inline(always)]
+    fn wait_for(&mut self, top: Top) {
+        (self.until, self.vertex, self.contour) = (top.row, top.vertex, top.contour);
+    }
+
+    #[inline(always)]
+    fn top(&self) -> Top {
+        Top { row: self.until, vertex: self.vertex, contour: self.contour }
     }
 
     /// Down to `row`, along the contour where the edge ends; `false` where the contour turns up.
-    #[inline(always)]
-    fn step(&mut self, contours: Contours<'_>, row: i32, rows: &Range<i32>) -> bool {
+    #[inline]
+    fn advance(&mut self, contours: Contours<'_>, row: i32, rows: &Range<i32>) -> bool {
         if self.until != row {
-            self.edge.step_or(|| remade(contours.contour(self.contour), self.vertex, self.winding > 0, row));
+            self.edge.step_or(|| remade(contour_of(contours, self.contour), self.vertex, self.contour >= 0, row));
             return true;
         }
-        let Some(next) = Self::below(contours, (self.contour, self.vertex), self.way(), row, rows) else {
-            return false;
-        };
+        let Some(next) = Self::below(contours, self.vertex, self.contour, row, rows) else { return false };
         *self = next;
         true
     }
 }
 
+#[inline]
+fn contour_of(contours: Contours<'_>, contour: i32) -> &[Vertex] {
+    contours.contour((contour ^ (contour >> 31)).unsigned_abs() as usize)
+}
+
 /// An edge too tall to be stepped, for another row.
 #[inline(never)]
-fn remade(contour: &[crate::Vertex], lower: usize, is_forward: bool, row: i32) -> Edge {
-    let upper = if is_forward { lower.checked_sub(1) } else { Some(lower + 1).filter(|&next| next < contour.len()) };
-    let upper = upper.unwrap_or(if is_forward { contour.len().saturating_sub(1) } else { 0 });
-    match (contour.get(upper), contour.get(lower)) {
+fn remade(contour: &[Vertex], lower: u32, is_forward: bool, row: i32) -> Edge {
+    match (contour.get(next_index(contour, lower, !is_forward) as usize), contour.get(lower as usize)) {
         (Some(&upper), Some(&lower)) => Edge::on_row(upper, lower, row),
         _ => Edge::EMPTY,
     }
@@ -77,9 +91,7 @@ impl<const N: usize> ActiveEdges<N> {
     /// Scratch for `N` active edges.
     #[inline]
     pub fn new() -> Self {
-        let mut edges = heapless::Vec::new();
-        edges.resize_default(N).unwrap_or_default();
-        Self(edges)
+        Self(heapless::Vec::from_array([ActiveEdge::EMPTY; N]))
     }
 
     /// All of it.
@@ -92,12 +104,6 @@ impl<const N: usize> ActiveEdges<N> {
 impl<const N: usize> Default for ActiveEdges<N> {
     fn default() -> Self {
         Self::new()
-    }
-}
-
-impl Default for ActiveEdge {
-    fn default() -> Self {
-        Self::EMPTY
     }
 }
 
@@ -151,32 +157,66 @@ impl<'a, 's> Table<'a, 's> {
         self.active == 0
     }
 
-    /// Hands over each active edge's column and winding from left to right, and takes it one row down, to `below`.
+    /// The next row, at most `limit`, on which an edge starts or ends, or which some edge cannot be stepped to.
+    #[inline]
+    pub(crate) fn next_event(&self, row: i32, limit: i32) -> i32 {
+        let active = self.slots.get(..self.active).unwrap_or_default();
+        let mut event = self.next_start().min(limit);
+        for edge in active {
+            event = event.min(if edge.edge.can_step() { edge.until } else { row });
+        }
+        event.max(row)
+    }
+
+    /// Hands over each active edge's column and winding, from left to right.
     #[inline(always)]
-    pub(crate) fn cross<E>(
-        &mut self,
-        below: i32,
-        mut crossing: impl FnMut(i32, i32) -> Result<(), E>,
-    ) -> Result<(), E> {
+    pub(crate) fn cross<E>(&self, mut crossing: impl FnMut(i32, i32) -> Result<(), E>) -> Result<(), E> {
+        for edge in self.slots.get(..self.active).unwrap_or_default() {
+            crossing(edge.edge.column, edge.winding())?;
+        }
+        Ok(())
+    }
+
+    /// The same, and takes each edge one row down, to a row before the next event.
+    #[inline(always)]
+    pub(crate) fn cross_and_step<E>(&mut self, mut crossing: impl FnMut(i32, i32) -> Result<(), E>) -> Result<(), E> {
         let Some(active) = self.slots.get_mut(..self.active) else { return Ok(()) };
-        let mut kept = 0;
         let mut previous = i32::MIN;
+        let mut is_sorted = true;
+        for edge in active.iter_mut() {
+            crossing(edge.edge.column, edge.winding())?;
+            edge.edge.step();
+            is_sorted &= previous <= edge.edge.column;
+            previous = edge.edge.column;
+        }
+        if !is_sorted {
+            (1..active.len()).for_each(|place| sink_left(active, place));
+        }
+        Ok(())
+    }
+
+    /// Takes each active edge one row down, to `row`: an edge that ends there goes on as the one that follows it.
+    #[inline(never)]
+    pub(crate) fn advance(&mut self, row: i32) {
+        let Some(active) = self.slots.get_mut(..self.active) else { return };
+        let mut kept = 0;
+        let mut last = i32::MIN;
         for index in 0..active.len() {
             let Some(edge) = active.get_mut(index) else { break };
-            crossing(edge.edge.column, edge.winding)?;
-            if !edge.step(self.contours, below, self.rows) {
+            if !edge.advance(self.contours, row, self.rows) {
                 continue;
             }
             let column = edge.edge.column;
-            if kept != index || column < previous {
-                let edge = *edge;
-                insert(active, kept, edge);
+            if kept != index {
+                active.swap(kept, index);
             }
-            previous = previous.max(column);
+            if column < last {
+                sink_left(active, kept);
+            }
+            last = last.max(column);
             kept += 1;
         }
         self.active = kept;
-        Ok(())
     }
 
     #[inline(never)]
@@ -193,12 +233,13 @@ impl<'a, 's> Table<'a, 's> {
             self.waiting = end - group;
         }
         for _ in 0..group {
-            let Some(&top) = self.slots.get(self.waiting) else { return };
+            let Some(top) = self.slots.get(self.waiting).map(ActiveEdge::top) else { return };
             self.waiting += 1;
-            for way in [Way::Forward, Way::Backward] {
-                let start = (top.contour, top.vertex);
-                if let Some(edge) = ActiveEdge::below(self.contours, start, way, row, self.rows) {
-                    insert(self.slots, self.active, edge);
+            for contour in [top.contour, !top.contour] {
+                let edge = ActiveEdge::below(self.contours, top.vertex, contour, row, self.rows);
+                if let (Some(edge), Some(slot)) = (edge, self.slots.get_mut(self.active)) {
+                    *slot = edge;
+                    sink_left(self.slots, self.active);
                     self.active += 1;
                 }
             }
@@ -214,22 +255,23 @@ impl<'a, 's> Table<'a, 's> {
         let mut horizon = i32::MAX;
         // A heap of the earliest tops so far, the latest of them at the root.
         self.contours.for_each_top(self.rows, |contour, vertex, start| {
-            let top = ActiveEdge { until: start, contour, vertex, ..ActiveEdge::EMPTY };
+            let top = Top { row: start, vertex, contour };
             if start < row {
             } else if queued < capacity {
                 queued += 1;
                 sift_up(free, queued - 1, top);
             } else if let Some(latest) = free.first().map(|latest| latest.until).filter(|&latest| start < latest) {
                 horizon = horizon.min(latest);
-                sift_down(free, queued, top);
+                sift_down(free, top);
             } else {
                 horizon = horizon.min(start);
             }
         });
         for end in (1..queued).rev() {
-            if let (Some(&latest), Some(&last)) = (free.first(), free.get(end)) {
-                sift_down(free, end, last);
-                set(free, end, latest);
+            if let Some([latest, .., last]) = free.get_mut(..=end) {
+                let top = last.top();
+                last.wait_for(latest.top());
+                sift_down(free.get_mut(..end).unwrap_or_default(), top);
             }
         }
         while free.get(queued.wrapping_sub(1)).is_some_and(|top| top.until >= horizon) {
@@ -241,64 +283,66 @@ impl<'a, 's> Table<'a, 's> {
     }
 }
 
-#[inline(always)]
-fn set(slots: &mut [ActiveEdge], index: usize, edge: ActiveEdge) {
-    if let Some(slot) = slots.get_mut(index) {
+/// Moves the edge at `place` to the left until the slots up to there are sorted by column, as those before it were.
+#[inline]
+fn sink_left(slots: &mut [ActiveEdge], mut place: usize) {
+    let Some(&edge) = slots.get(place) else { return };
+    while let Some([.., left, slot]) = slots.get_mut(..=place) {
+        if left.edge.column <= edge.edge.column {
+            break;
+        }
+        *slot = *left;
+        place -= 1;
+    }
+    if let Some(slot) = slots.get_mut(place) {
         *slot = edge;
     }
 }
 
-/// Puts `edge` among the first `len` slots, which are sorted by column, and the one behind them.
-#[inline]
-fn insert(slots: &mut [ActiveEdge], len: usize, edge: ActiveEdge) {
-    let mut place = len;
-    while place > 0 {
-        match slots.get(place - 1) {
-            Some(&left) if left.edge.column > edge.edge.column => set(slots, place, left),
-            _ => break,
-        }
-        place -= 1;
+#[inline(always)]
+fn set_top(slots: &mut [ActiveEdge], index: usize, top: Top) {
+    if let Some(slot) = slots.get_mut(index) {
+        slot.wait_for(top);
     }
-    set(slots, place, edge);
 }
 
-/// Moves `count` slots from `start` so that they end at `end`, which is not before where they are.
+/// Moves `count` tops from `start` so that they end at `end`, which is not before where they are.
 #[inline]
 fn move_up(slots: &mut [ActiveEdge], start: usize, count: usize, end: usize) {
     for offset in (0..count).rev() {
-        if let Some(&top) = slots.get(start + offset) {
-            set(slots, end - count + offset, top);
+        if let Some(top) = slots.get(start + offset).map(ActiveEdge::top) {
+            set_top(slots, end - count + offset, top);
         }
     }
 }
 
+/// Adds `top` to the heap, whose latest top is at the root, at its end.
 #[inline]
-fn sift_up(heap: &mut [ActiveEdge], mut place: usize, top: ActiveEdge) {
+fn sift_up(heap: &mut [ActiveEdge], mut place: usize, top: Top) {
     while place > 0 {
         let parent = (place - 1) / 2;
-        match heap.get(parent) {
-            Some(&above) if above.until < top.until => set(heap, place, above),
+        match heap.get(parent).map(ActiveEdge::top) {
+            Some(above) if above.row < top.row => set_top(heap, place, above),
             _ => break,
         }
         place = parent;
     }
-    set(heap, place, top);
+    set_top(heap, place, top);
 }
 
-/// Puts `top` in the place of the root of the first `len` slots.
+/// Puts `top` in the place of the root.
 #[inline]
-fn sift_down(heap: &mut [ActiveEdge], len: usize, top: ActiveEdge) {
-    let Some(heap) = heap.get_mut(..len) else { return };
+fn sift_down(heap: &mut [ActiveEdge], top: Top) {
     let mut place = 0;
     loop {
         let (left, right) = (2 * place + 1, 2 * place + 2);
-        let until = |index: usize| heap.get(index).map_or(i32::MIN, |top| top.until);
-        let child = if until(right) > until(left) { right } else { left };
-        match heap.get(child) {
-            Some(&below) if below.until > top.until => set(heap, place, below),
+        let row = |index: usize| heap.get(index).map_or(i32::MIN, |top| top.until);
+        let child = if row(right) > row(left) { right } else { left };
+        match heap.get(child).map(ActiveEdge::top) {
+            Some(below) if below.row > top.row => set_top(heap, place, below),
             _ => break,
         }
         place = child;
     }
-    set(heap, place, top);
+    set_top(heap, place, top);
 }

@@ -68,12 +68,14 @@ impl<'a> Contours<'a> {
     }
 
     /// For each local top, in the order of the contours, the contour, the last vertex before it goes down, and the row.
+    ///
+    /// Indices are of 31 and 32 bits, as scratch stores them: an outline that needs more fills 16 GB.
     #[inline]
-    pub(crate) fn for_each_top(self, rows: &Range<i32>, mut found: impl FnMut(usize, usize, i32)) {
-        for index in 0..self.len() {
+    pub(crate) fn for_each_top(self, rows: &Range<i32>, mut found: impl FnMut(i32, u32, i32)) {
+        for (index, contour) in (0..self.len()).zip(0..i32::MAX) {
             let mut tops = Tops::new(self.contour(index), rows.start, rows.end);
             while let Some((vertex, row)) = tops.next() {
-                found(index, vertex, row);
+                found(contour, u32::try_from(vertex).unwrap_or(u32::MAX), row);
             }
         }
     }
@@ -199,35 +201,36 @@ impl<'a> Tops<'a> {
     }
 }
 
-/// One way along a contour.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Way {
-    Forward,
-    Backward,
+/// The vertex after `index`, or before it, around the contour.
+#[inline]
+pub(crate) fn next_index(contour: &[Vertex], index: u32, is_forward: bool) -> u32 {
+    let last = u32::try_from(contour.len().saturating_sub(1)).unwrap_or(u32::MAX);
+    if is_forward {
+        if index < last { index + 1 } else { 0 }
+    } else if index > 0 {
+        index - 1
+    } else {
+        last
+    }
 }
 
-/// The edge that goes down from `vertex` one way along the contour, past flat edges: its upper and lower vertices'
-/// indices. `None` where the contour turns up.
+/// The edge that goes down from `vertex` one way along the contour, past flat edges: its ends, the index of the lower
+/// one, and that one's row. `None` where the contour turns up.
 #[inline]
 pub(crate) fn edge_below(
     contour: &[Vertex],
-    vertex: usize,
-    way: Way,
+    vertex: u32,
+    is_forward: bool,
     rows: &Range<i32>,
-) -> Option<(Vertex, Vertex, usize, i32)> {
-    let clamped = |vertex: Vertex| row_of(vertex).clamp(rows.start, rows.end);
+) -> Option<(Vertex, Vertex, u32, i32)> {
+    let clamped = |vertex: Vertex| row_of(vertex).min(rows.end).max(rows.start);
     let mut index = vertex;
-    let mut upper = *contour.get(index)?;
+    let mut upper = *contour.get(index as usize)?;
     let row = clamped(upper);
     // A contour all of whose vertices are on one row has no edges; it is not walked around twice.
     for _ in 0..contour.len() {
-        index = match way {
-            Way::Forward if index + 1 < contour.len() => index + 1,
-            Way::Forward => 0,
-            Way::Backward if index > 0 => index - 1,
-            Way::Backward => contour.len() - 1,
-        };
-        let lower = *contour.get(index)?;
+        index = next_index(contour, index, is_forward);
+        let lower = *contour.get(index as usize)?;
         let lower_row = clamped(lower);
         if lower_row > row {
             return Some((upper, lower, index, lower_row));

@@ -58,97 +58,106 @@ impl<S: SpanSink> BlockSink for SplitRows<'_, S> {
     }
 }
 
-/// For shapes with several spans a row, up to eight; further ones are sent as they come.
+/// Receives the rows of a shape with several spans a row.
+pub(crate) trait RowSink {
+    type Error;
+
+    /// The next span of `row`.
+    fn span(&mut self, row: i32, columns: Range<i32>) -> Result<(), Self::Error>;
+
+    /// There are no more spans on `row`.
+    fn end_row(&mut self, row: i32) -> Result<(), Self::Error>;
+}
+
+/// Rows as they come, span by span.
+#[derive(Debug)]
+pub(crate) struct EachSpan<'s, S>(pub(crate) &'s mut S);
+
+impl<S: SpanSink> RowSink for EachSpan<'_, S> {
+    type Error = S::Error;
+
+    #[inline(always)]
+    fn span(&mut self, row: i32, columns: Range<i32>) -> Result<(), S::Error> {
+        self.0.span(Span { row, columns })
+    }
+
+    #[inline(always)]
+    fn end_row(&mut self, _: i32) -> Result<(), S::Error> {
+        Ok(())
+    }
+}
+
+/// Five-pointed stars have two spans a row, letters up to four; 128 bytes of stack for two rows of eight.
+const MERGED_SPANS: usize = 8;
+
+/// Rows with up to eight spans merged into blocks; further spans are sent as they come.
 #[derive(Debug)]
 pub(crate) struct MergeRows<'s, S> {
     sink: &'s mut S,
-    /// Rows known to be equal. While there is just one, spans on it are added to `open`.
+    /// Equal rows that are still growing, and the spans of each.
     rows: Range<i32>,
-    /// The spans of each of those rows.
     open: Vec<Range<i32>, MERGED_SPANS>,
-    /// How many of them the row after those has repeated so far.
-    repeated: usize,
+    /// The spans of the row that is being received.
+    row: Vec<Range<i32>, MERGED_SPANS>,
 }
 
-/// Five-pointed stars have two spans a row, letters up to four; 64 bytes of stack.
-const MERGED_SPANS: usize = 8;
-
 impl<'s, S: BlockSink> MergeRows<'s, S> {
-    /// The blocks of the spans that `walk` sends.
+    /// The blocks of the rows that `walk` sends.
     #[inline]
     pub(crate) fn merged(
         sink: &'s mut S,
         walk: impl FnOnce(&mut Self) -> Result<(), S::Error>,
     ) -> Result<(), S::Error> {
-        let mut merge = Self { sink, rows: 0..0, open: Vec::new(), repeated: 0 };
+        let mut merge = Self { sink, rows: 0..0, open: Vec::new(), row: Vec::new() };
         walk(&mut merge)?;
-        merge.end_row()?;
         merge.send()
     }
 
+    /// Sends the equal rows.
     #[inline]
     fn send(&mut self) -> Result<(), S::Error> {
         for columns in &self.open {
             self.sink.block(self.rows.clone(), columns.clone())?;
         }
+        self.open.clear();
         Ok(())
     }
 
-    /// Sends the equal rows, and goes on with `row`, which has repeated the first of their spans.
-    #[inline]
-    fn begin(&mut self, row: i32) -> Result<(), S::Error> {
+    /// Makes room in the row: what was received of it cannot be merged any more.
+    #[cold]
+    fn spill(&mut self, row: i32) -> Result<(), S::Error> {
         self.send()?;
-        self.open.truncate(replace(&mut self.repeated, 0));
-        self.rows = row..row.wrapping_add(1);
-        Ok(())
-    }
-
-    #[inline]
-    fn add(&mut self, columns: Range<i32>) -> Result<(), S::Error> {
-        if self.open.is_full() {
-            self.send()?;
-            self.open.clear();
+        for columns in &self.row {
+            self.sink.block(row..row.wrapping_add(1), columns.clone())?;
         }
-        // There is room now: what `push` would hand back is nothing.
-        self.open.push(columns).unwrap_or_default();
-        Ok(())
-    }
-
-    /// The row after the equal ones is complete: one more of them, or not.
-    #[inline]
-    fn end_row(&mut self) -> Result<(), S::Error> {
-        if self.repeated == 0 {
-            return Ok(());
-        }
-        if self.repeated < self.open.len() {
-            return self.begin(self.rows.end);
-        }
-        self.rows.end = self.rows.end.wrapping_add(1);
-        self.repeated = 0;
+        self.row.clear();
         Ok(())
     }
 }
 
-impl<S: BlockSink> SpanSink for MergeRows<'_, S> {
+impl<S: BlockSink> RowSink for MergeRows<'_, S> {
     type Error = S::Error;
 
-    #[inline]
-    fn span(&mut self, span: Span) -> Result<(), S::Error> {
-        let Span { row, columns } = span;
-        if row == self.rows.start && !self.rows.is_empty() {
-            return self.add(columns);
+    #[inline(always)]
+    fn span(&mut self, row: i32, columns: Range<i32>) -> Result<(), S::Error> {
+        if let Err(columns) = self.row.push(columns) {
+            self.spill(row)?;
+            // There is room now: nothing comes back.
+            self.row.push(columns).unwrap_or_default();
         }
-        if row != self.rows.end {
-            self.end_row()?;
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn end_row(&mut self, row: i32) -> Result<(), S::Error> {
+        if row != self.rows.end || self.row != self.open {
+            self.send()?;
+            // It fits, as both hold as many: only what is there is moved.
+            self.open.extend_from_slice(&self.row).unwrap_or_default();
+            self.rows.start = row;
         }
-        if row == self.rows.end && self.open.get(self.repeated) == Some(&columns) {
-            self.repeated += 1;
-            return Ok(());
-        }
-        if row != self.rows.end {
-            self.repeated = 0;
-        }
-        self.begin(row)?;
-        self.add(columns)
+        self.rows.end = row.wrapping_add(1);
+        self.row.clear();
+        Ok(())
     }
 }

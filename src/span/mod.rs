@@ -6,8 +6,8 @@
 mod clip;
 mod merge;
 
-pub(crate) use clip::{ClipColumns, clip_range};
-pub(crate) use merge::{MergeRows, OpenBlock, SplitRows};
+pub(crate) use clip::clip_range;
+pub(crate) use merge::{EachSpan, MergeRows, OpenBlock, RowSink, SplitRows};
 
 use core::ops::Range;
 
