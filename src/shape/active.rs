@@ -55,18 +55,6 @@ impl ActiveEdge {
     fn top(&self) -> Top {
         Top { row: self.until, vertex: self.vertex, contour: self.contour }
     }
-
-    /// Down to `row`, along the contour where the edge ends; `false` where the contour turns up.
-    #[inline]
-    fn advance(&mut self, contours: Contours<'_>, row: i32, rows: &Range<i32>) -> bool {
-        if self.until != row {
-            self.edge.step_or(|| remade(contour_of(contours, self.contour), self.vertex, self.contour >= 0, row));
-            return true;
-        }
-        let Some(next) = Self::below(contours, self.vertex, self.contour, row, rows) else { return false };
-        *self = next;
-        true
-    }
 }
 
 #[inline]
@@ -126,13 +114,14 @@ pub(crate) struct Table<'a, 's> {
     waiting: usize,
     /// Every top above this row has started or waits; none at or below it does.
     horizon: i32,
+    is_sorted: bool,
 }
 
 impl<'a, 's> Table<'a, 's> {
     #[inline]
     pub(crate) fn new(contours: Contours<'a>, rows: &'s Range<i32>, slots: &'s mut [ActiveEdge]) -> Self {
         let waiting = slots.len();
-        Self { contours, rows, slots, active: 0, waiting, horizon: rows.start }
+        Self { contours, rows, slots, active: 0, waiting, horizon: rows.start, is_sorted: true }
     }
 
     /// Adds the edges that start on `row`.
@@ -157,6 +146,61 @@ impl<'a, 's> Table<'a, 's> {
         self.active == 0
     }
 
+    /// Hands over each active edge's column and winding, from left to right, and takes it one row down.
+    ///
+    /// On the row of the next event they must [`turn`](Self::turn) then, on the others be [`sorted`](Self::sort).
+    #[inline(always)]
+    pub(crate) fn cross_and_step<E>(&mut self, mut crossing: impl FnMut(i32, i32) -> Result<(), E>) -> Result<(), E> {
+        let mut previous = i32::MIN;
+        let mut is_sorted = true;
+        for edge in self.slots.get_mut(..self.active).unwrap_or_default() {
+            crossing(edge.edge.column, edge.winding())?;
+            edge.edge.step();
+            is_sorted &= previous <= edge.edge.column;
+            previous = edge.edge.column;
+        }
+        self.is_sorted = is_sorted;
+        Ok(())
+    }
+
+    /// Brings the edges into the order of their columns again.
+    #[inline(always)]
+    pub(crate) fn sort(&mut self) {
+        if !self.is_sorted {
+            self.sort_active();
+        }
+    }
+
+    #[inline(never)]
+    fn sort_active(&mut self) {
+        let active = self.slots.get_mut(..self.active).unwrap_or_default();
+        (1..active.len()).for_each(|place| sink_left(active, place));
+    }
+
+    /// On `row`, replaces the edges that end by those that follow them along their contour.
+    #[inline(never)]
+    pub(crate) fn turn(&mut self, row: i32) {
+        let Some(active) = self.slots.get_mut(..self.active) else { return };
+        let mut kept = 0;
+        for index in 0..active.len() {
+            let Some(edge) = active.get_mut(index) else { break };
+            if edge.until == row {
+                let Some(next) = ActiveEdge::below(self.contours, edge.vertex, edge.contour, row, self.rows) else {
+                    continue;
+                };
+                *edge = next;
+            } else if !edge.edge.can_step() {
+                edge.edge = remade(contour_of(self.contours, edge.contour), edge.vertex, edge.contour >= 0, row);
+            }
+            if kept != index {
+                active.swap(kept, index);
+            }
+            kept += 1;
+        }
+        self.active = kept;
+        self.sort_active();
+    }
+
     /// The next row, at most `limit`, on which an edge starts or ends, or which some edge cannot be stepped to.
     #[inline]
     pub(crate) fn next_event(&self, row: i32, limit: i32) -> i32 {
@@ -166,57 +210,6 @@ impl<'a, 's> Table<'a, 's> {
             event = event.min(if edge.edge.can_step() { edge.until } else { row });
         }
         event.max(row)
-    }
-
-    /// Hands over each active edge's column and winding, from left to right.
-    #[inline(always)]
-    pub(crate) fn cross<E>(&self, mut crossing: impl FnMut(i32, i32) -> Result<(), E>) -> Result<(), E> {
-        for edge in self.slots.get(..self.active).unwrap_or_default() {
-            crossing(edge.edge.column, edge.winding())?;
-        }
-        Ok(())
-    }
-
-    /// The same, and takes each edge one row down, to a row before the next event.
-    #[inline(always)]
-    pub(crate) fn cross_and_step<E>(&mut self, mut crossing: impl FnMut(i32, i32) -> Result<(), E>) -> Result<(), E> {
-        let Some(active) = self.slots.get_mut(..self.active) else { return Ok(()) };
-        let mut previous = i32::MIN;
-        let mut is_sorted = true;
-        for edge in active.iter_mut() {
-            crossing(edge.edge.column, edge.winding())?;
-            edge.edge.step();
-            is_sorted &= previous <= edge.edge.column;
-            previous = edge.edge.column;
-        }
-        if !is_sorted {
-            (1..active.len()).for_each(|place| sink_left(active, place));
-        }
-        Ok(())
-    }
-
-    /// Takes each active edge one row down, to `row`: an edge that ends there goes on as the one that follows it.
-    #[inline(never)]
-    pub(crate) fn advance(&mut self, row: i32) {
-        let Some(active) = self.slots.get_mut(..self.active) else { return };
-        let mut kept = 0;
-        let mut last = i32::MIN;
-        for index in 0..active.len() {
-            let Some(edge) = active.get_mut(index) else { break };
-            if !edge.advance(self.contours, row, self.rows) {
-                continue;
-            }
-            let column = edge.edge.column;
-            if kept != index {
-                active.swap(kept, index);
-            }
-            if column < last {
-                sink_left(active, kept);
-            }
-            last = last.max(column);
-            kept += 1;
-        }
-        self.active = kept;
     }
 
     #[inline(never)]
@@ -286,7 +279,10 @@ impl<'a, 's> Table<'a, 's> {
 /// Moves the edge at `place` to the left until the slots up to there are sorted by column, as those before it were.
 #[inline]
 fn sink_left(slots: &mut [ActiveEdge], mut place: usize) {
-    let Some(&edge) = slots.get(place) else { return };
+    let edge = match slots.get(..=place) {
+        Some([.., left, edge]) if left.edge.column > edge.edge.column => *edge,
+        _ => return,
+    };
     while let Some([.., left, slot]) = slots.get_mut(..=place) {
         if left.edge.column <= edge.edge.column {
             break;

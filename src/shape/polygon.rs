@@ -156,19 +156,18 @@ impl<'a> Polygon<'a> {
                 row = table.next_start().max(row + 1);
                 continue;
             }
-            // Up to the row before the next event, edges only step.
             let event = table.next_event(row + 1, clip.rows.end);
-            while row + 1 < event {
+            loop {
                 let mut spans = RowSpans::new(row, self.fill_rule, &clip.columns);
                 table.cross_and_step(|column, winding| spans.cross(column, winding, sink))?;
                 spans.finish(sink)?;
                 row += 1;
+                if row == event {
+                    break;
+                }
+                table.sort();
             }
-            let mut spans = RowSpans::new(row, self.fill_rule, &clip.columns);
-            table.cross(|column, winding| spans.cross(column, winding, sink))?;
-            spans.finish(sink)?;
-            row += 1;
-            table.advance(row);
+            table.turn(row);
         }
         Ok(())
     }

@@ -87,18 +87,21 @@ impl<S: SpanSink> RowSink for EachSpan<'_, S> {
     }
 }
 
-/// Five-pointed stars have two spans a row, letters up to four; 128 bytes of stack for two rows of eight.
+/// Five-pointed stars have two spans a row, letters up to four; 64 bytes of stack.
 const MERGED_SPANS: usize = 8;
 
 /// Rows with up to eight spans merged into blocks; further spans are sent as they come.
 #[derive(Debug)]
 pub(crate) struct MergeRows<'s, S> {
     sink: &'s mut S,
-    /// Equal rows that are still growing, and the spans of each.
+    /// The first of the equal rows that are still growing, and the row after the last.
     rows: Range<i32>,
+    /// The spans of each of those rows, or, while they differ, those that the current row has so far.
     open: Vec<Range<i32>, MERGED_SPANS>,
-    /// The spans of the row that is being received.
-    row: Vec<Range<i32>, MERGED_SPANS>,
+    /// How many of them the current row has repeated.
+    repeated: usize,
+    /// The current row is not like the ones before.
+    differs: bool,
 }
 
 impl<'s, S: BlockSink> MergeRows<'s, S> {
@@ -108,7 +111,7 @@ impl<'s, S: BlockSink> MergeRows<'s, S> {
         sink: &'s mut S,
         walk: impl FnOnce(&mut Self) -> Result<(), S::Error>,
     ) -> Result<(), S::Error> {
-        let mut merge = Self { sink, rows: 0..0, open: Vec::new(), row: Vec::new() };
+        let mut merge = Self { sink, rows: 0..0, open: Vec::new(), repeated: 0, differs: false };
         walk(&mut merge)?;
         merge.send()
     }
@@ -119,18 +122,24 @@ impl<'s, S: BlockSink> MergeRows<'s, S> {
         for columns in &self.open {
             self.sink.block(self.rows.clone(), columns.clone())?;
         }
-        self.open.clear();
         Ok(())
     }
 
-    /// Makes room in the row: what was received of it cannot be merged any more.
-    #[cold]
-    fn spill(&mut self, row: i32) -> Result<(), S::Error> {
+    /// `row` differs: sends the rows before, and goes on with what it has repeated of them.
+    #[inline]
+    fn part(&mut self, row: i32) -> Result<(), S::Error> {
         self.send()?;
-        for columns in &self.row {
-            self.sink.block(row..row.wrapping_add(1), columns.clone())?;
-        }
-        self.row.clear();
+        self.open.truncate(self.repeated);
+        self.rows = row..row.wrapping_add(1);
+        self.differs = true;
+        Ok(())
+    }
+
+    /// Sends what the current row has so far: it has too many spans to be merged with the next.
+    #[cold]
+    fn spill(&mut self) -> Result<(), S::Error> {
+        self.send()?;
+        self.open.clear();
         Ok(())
     }
 }
@@ -140,24 +149,29 @@ impl<S: BlockSink> RowSink for MergeRows<'_, S> {
 
     #[inline(always)]
     fn span(&mut self, row: i32, columns: Range<i32>) -> Result<(), S::Error> {
-        if let Err(columns) = self.row.push(columns) {
-            self.spill(row)?;
+        if !self.differs {
+            if row == self.rows.end && self.open.get(self.repeated) == Some(&columns) {
+                self.repeated += 1;
+                return Ok(());
+            }
+            self.part(row)?;
+        }
+        if let Err(columns) = self.open.push(columns) {
+            self.spill()?;
             // There is room now: nothing comes back.
-            self.row.push(columns).unwrap_or_default();
+            self.open.push(columns).unwrap_or_default();
         }
         Ok(())
     }
 
     #[inline(always)]
     fn end_row(&mut self, row: i32) -> Result<(), S::Error> {
-        if row != self.rows.end || self.row != self.open {
-            self.send()?;
-            // It fits, as both hold as many: only what is there is moved.
-            self.open.extend_from_slice(&self.row).unwrap_or_default();
-            self.rows.start = row;
+        if !self.differs && (row != self.rows.end || self.repeated != self.open.len()) {
+            self.part(row)?;
         }
         self.rows.end = row.wrapping_add(1);
-        self.row.clear();
+        self.repeated = 0;
+        self.differs = false;
         Ok(())
     }
 }
