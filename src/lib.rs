@@ -1,5 +1,59 @@
-//! skeleton
+//! Exact fixed-point fill of triangles, lines, circles and polygons on any embedded-graphics
+//! [`DrawTarget`](embedded_graphics_core::draw_target::DrawTarget): `no_std`, without allocation, without `unsafe`.
+//!
+//! The pixels of a shape are those whose centres it covers, exactly, for vertices in 1/256 pixel and for every
+//! coordinate there is. They are the same on every machine, in every clip, whatever the order of the vertices.
+//!
+//! ```
+//! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
+//! use spanfill::{Circle, Triangle, prelude::*};
+//!
+//! let mut display = MockDisplay::new();
+//! display.set_allow_overdraw(true);
+//! Circle::new(Point::new(4, 4), 4.5).filled(BinaryColor::On).draw(&mut display)?;
+//! Triangle::new(Point::new(4, 1), Point::new(7, 6), Point::new(1, 6)).filled(BinaryColor::Off).draw(&mut display)?;
+//! display.assert_pattern(&[
+//!     "  #####  ",
+//!     " ####### ",
+//!     "####.####",
+//!     "###...###",
+//!     "###...###",
+//!     "##.....##",
+//!     "#########",
+//!     " ####### ",
+//!     "  #####  ",
+//! ]);
+//! # Ok::<(), core::convert::Infallible>(())
+//! ```
+//!
+//! # The pixel rule
+//!
+//! (0, 0) is the top-left corner of the top-left pixel, y grows downwards, pixel centres lie at half integers.
+//!
+//! - A pixel belongs to a filled shape when its centre does. A centre exactly on the outline of a triangle or polygon
+//!   belongs to the side that lies to its right, or, on a horizontal edge, below: the top-left rule. Shapes that share
+//!   an edge cover each pixel once, without a gap.
+//! - A circle covers the centres that are nearer to its own than its radius.
+//! - A thin line has one pixel for each step of its longer axis: the one that it crosses the middle of that step in.
+//! - `Vertex::from(Point)` is the centre of the pixel that the point names.
+//!
+//! # How it is built
+//!
+//! ```text
+//! Shape -clip-> Edge -one step a row-> Span, or a block of equal rows -> colour -> DrawTarget::fill_solid
+//!
+//! limits · subpixel · geometry · turn · edge · span, error · shape · draw
+//! ```
+//!
+//! A module uses only what stands to its left. Shapes know no colours and no targets: they push [`Span`]s or blocks
+//! into a sink ([`SpanSink`], [`BlockSink`]), cut to a clip, rows downwards, each pixel once. They meet colours and
+//! targets in [`Filled`].
+//!
+//! Nothing off the screen is ever sent, or costs more than finding out that it is; nothing is an error but too little
+//! scratch for a polygon, which is found before anything is drawn.
+
 #![no_std]
+#![cfg_attr(test, allow(clippy::cast_possible_truncation, reason = "tests compare with floats"))]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 #![deny(
@@ -20,6 +74,10 @@ mod limits;
 mod shape;
 mod span;
 mod subpixel;
+mod turn;
+
+#[cfg(test)]
+extern crate std;
 
 pub use draw::{Fill, Filled};
 pub use error::TooManyEdges;
@@ -29,8 +87,9 @@ pub use shape::{
     ActiveEdge, ActiveEdges, Circle, FillRule, Line, Polygon, PolygonInScratch, PolygonWithCapacity, Shape, Triangle,
 };
 pub use span::{BlockSink, Span, SpanSink};
+pub use turn::Turn;
 
-/// What a program that draws needs in scope.
+/// The traits that a program which draws needs in scope.
 pub mod prelude {
     pub use crate::{Fill as _, Shape as _};
 }
