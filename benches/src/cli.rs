@@ -1,0 +1,86 @@
+//! What the command line says.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+use crate::{row::scene_from, scenes::Scene, variant::Variant};
+
+/// What spanfill costs, side by side with embedded-graphics, tiny-skia and the bare filling of the same pixels.
+///
+/// Without a command: checks that the variants draw what they should, times all of them in turns, and prints the
+/// processor, the compiler, the versions, a table in Markdown, and which of the project's bars are reached. It takes
+/// about half a minute, and says on stderr how far it is.
+///
+/// Paths are relative to where you are; from the repository's root, everything that is kept is renewed by
+///
+///   cargo run --release --manifest-path benches/Cargo.toml -- --csv --readme README.md --chart docs/speed.svg
+#[derive(Debug, Parser)]
+#[command(name = "spanfill-benches", version, max_term_width = 110, args_conflicts_with_subcommands = true)]
+#[command(subcommand_negates_reqs = true, verbatim_doc_comment)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Option<Command>,
+
+    #[command(flatten)]
+    pub(crate) measure: Measure,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Measure {
+    /// Measure only these, with commas between them: triangle-10, circle-5, ... [default: all]
+    #[arg(long, value_name = "SCENES", value_parser = scene_from, value_delimiter = ',')]
+    pub(crate) scenes: Vec<Scene>,
+
+    /// How many turns each variant has; its best one counts
+    #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..))]
+    pub(crate) rounds: u32,
+
+    /// How long a turn takes, about, in microseconds
+    #[arg(long, value_name = "US", default_value_t = 500)]
+    pub(crate) turn_us: u64,
+
+    /// Count instructions in place of time: runs everything under valgrind, which has to be installed
+    #[arg(long)]
+    pub(crate) instructions: bool,
+
+    /// Save the rows as CSV, and beside it a .md with all that is printed [default FILE, in benches/record/<target>:
+    /// <date>.csv, or <date>-instructions.csv]
+    #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true)]
+    pub(crate) csv: Option<Option<PathBuf>>,
+
+    /// Replace what stands between <!-- bench:begin --> and <!-- bench:end --> in this file
+    #[arg(long, value_name = "FILE")]
+    pub(crate) readme: Option<PathBuf>,
+
+    /// Draw the chart into this SVG file
+    #[arg(long, value_name = "FILE.svg")]
+    pub(crate) chart: Option<PathBuf>,
+
+    /// Exit with status 1 when a bar is not reached
+    #[arg(long, conflicts_with = "instructions")]
+    pub(crate) check: bool,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Draw with one variant and nothing else, for a profiler
+    Profile {
+        /// triangle-10, circle-5, ...
+        #[arg(value_parser = scene_from)]
+        scene: Scene,
+        /// spanfill, embedded-graphics, tiny-skia, tiny-skia-kept-path or floor
+        variant: Variant,
+        /// How many shapes to draw
+        #[arg(long, value_name = "N", default_value_t = 1000)]
+        shapes: usize,
+    },
+    /// Draw the chart again from rows that were saved
+    Chart {
+        /// What --csv saved
+        #[arg(value_name = "ROWS.csv")]
+        rows: PathBuf,
+        #[arg(value_name = "CHART.svg")]
+        chart: PathBuf,
+    },
+}

@@ -1,0 +1,80 @@
+//! What a figure belongs to: processor, compiler, flags, versions.
+
+use std::{fmt, fs};
+
+/// The target that this program was built for.
+pub(crate) const TARGET: &str = env!("BENCH_TARGET");
+
+const LOCK: &str = include_str!("../Cargo.lock");
+const MANIFEST: &str = include_str!("../Cargo.toml");
+
+/// The environment of this run.
+#[derive(Debug)]
+pub(crate) struct Environment {
+    processor: String,
+    date: String,
+}
+
+impl Environment {
+    pub(crate) fn new() -> Self {
+        Self { processor: processor(), date: time::OffsetDateTime::now_utc().date().to_string() }
+    }
+
+    /// Today in UTC: 2000-12-31.
+    pub(crate) fn date(&self) -> &str {
+        &self.date
+    }
+}
+
+/// As a Markdown list.
+impl fmt::Display for Environment {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let flags = match env!("BENCH_RUSTFLAGS") {
+            "" => "none",
+            flags => flags,
+        };
+        writeln!(f, "- date: {}", self.date)?;
+        writeln!(f, "- processor: {}", self.processor)?;
+        writeln!(f, "- target: {TARGET}")?;
+        writeln!(f, "- compiler: {}", env!("BENCH_RUSTC"))?;
+        writeln!(f, "- release profile: {}; RUSTFLAGS: {flags}", release_profile())?;
+        write!(f, "- versions: ")?;
+        for (index, package) in ["spanfill", "embedded-graphics", "tiny-skia"].into_iter().enumerate() {
+            let separator = if index == 0 { "" } else { ", " };
+            write!(f, "{separator}{package} {}", locked_version(package).unwrap_or("of unknown version"))?;
+        }
+        writeln!(f)
+    }
+}
+
+fn processor() -> String {
+    let model = fs::read_to_string("/proc/cpuinfo").ok().and_then(|info| {
+        let line = info.lines().find(|line| line.starts_with("model name"))?;
+        Some(line.split_once(':')?.1.trim().to_owned())
+    });
+    model.unwrap_or_else(|| format!("unknown ({})", std::env::consts::ARCH))
+}
+
+fn release_profile() -> String {
+    let section = MANIFEST.lines().skip_while(|line| *line != "[profile.release]").skip(1);
+    let settings = section.take_while(|line| !line.starts_with('[')).filter(|line| line.contains('='));
+    settings.map(str::trim).collect::<Vec<_>>().join(", ")
+}
+
+fn locked_version(package: &str) -> Option<&'static str> {
+    let name = format!("name = \"{package}\"");
+    let mut lines = LOCK.lines().skip_while(|line| *line != name).skip(1);
+    lines.next()?.strip_prefix("version = \"")?.strip_suffix('"')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn versions_and_profile_are_found_where_they_are_written() {
+        assert_eq!(locked_version("embedded-graphics"), Some("0.8.2"));
+        assert_eq!(locked_version("no-such-package"), None);
+        assert!(release_profile().starts_with("opt-level = 3, "), "{}", release_profile());
+    }
+}

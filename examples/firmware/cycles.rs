@@ -1,0 +1,226 @@
+//! What each shape costs a Cortex-M4, in instructions: spanfill, embedded-graphics 0.8, and the bare `fill_solid` calls
+//! of the rectangles that spanfill sends, which is the least that any rasterizer on the same target could cost.
+//!
+//! `examples/firmware/run.sh cycles` builds it and runs it in QEMU's `mps2-an386` under `-icount shift=0`, where every
+//! instruction takes the same time: the counts are the same in each run, on any host. They are instructions, not
+//! cycles: a division counts as much as an addition.
+//!
+//! Each library's primitives are built before the counting starts. All draw on the same target, see
+//! `benches/scenes/frame.rs`, and the same shapes, see `benches/scenes/shapes.rs`.
+
+#![no_std]
+#![no_main]
+
+mod instruction_counter;
+#[path = "../../benches/scenes/mod.rs"]
+mod scenes;
+
+use core::{
+    fmt::{self, Write as _},
+    iter,
+};
+
+use cortex_m_semihosting::{
+    debug,
+    hio::{self, HostStream},
+};
+use embedded_graphics::{
+    pixelcolor::Rgb565,
+    prelude::*,
+    primitives::{self as eg, PrimitiveStyle, Rectangle},
+};
+use panic_semihosting as _;
+use spanfill::{Circle, Fill, Line, Polygon, Triangle, Vertex};
+
+use instruction_counter::InstructionCounter;
+use scenes::{CONCAVE_64, Frame, PixelPoint, RecordBlocks, STAR, Scene, SubpixelPoint, circles, lines, triangles};
+
+/// How many shapes are drawn between two readings of the timer. The costliest row takes 70 million instructions, a
+/// tenth of what the timer can count; the cheapest is exact to an instruction.
+const SHAPES: usize = 256;
+
+/// The same for polygons, which take longer.
+const POLYGONS: usize = 16;
+
+/// Room for the rectangles of so many shapes: 200 a shape, 3200 a polygon.
+const BLOCKS: usize = SHAPES * 200;
+
+const COLOUR: Rgb565 = Rgb565::CSS_ORANGE;
+
+const STAR_VERTICES: [Vertex; STAR.len()] = vertices(STAR);
+const STAR_POLYGON: Polygon<'static> = Polygon::new(&STAR_VERTICES);
+const CONCAVE_64_VERTICES: [Vertex; CONCAVE_64.len()] = vertices(CONCAVE_64);
+const CONCAVE_64_POLYGON: Polygon<'static> = Polygon::new(&CONCAVE_64_VERTICES);
+
+const fn vertices<const N: usize>(outline: [SubpixelPoint; N]) -> [Vertex; N] {
+    let mut vertices = [Vertex::from_bits(0, 0); N];
+    let mut i = 0;
+    while i < N {
+        vertices[i] = Vertex::from_bits(outline[i][0], outline[i][1]);
+        i += 1;
+    }
+    vertices
+}
+
+#[cortex_m_rt::entry]
+fn main() -> ! {
+    let core = cortex_m::Peripherals::take().expect("nobody else takes the peripherals");
+    let mut bench = Bench {
+        counter: InstructionCounter::new(core.SYST),
+        frame: cortex_m::singleton!(: Frame = Frame::new()).expect("taken once"),
+        blocks: cortex_m::singleton!(: [Rectangle; BLOCKS] = [Rectangle::zero(); BLOCKS]).expect("taken once"),
+    };
+    let rows = Scene::ALL.map(|scene| (scene, bench.measure(scene)));
+
+    let mut host = hio::hstdout().expect("the host takes text");
+    print_table(&mut host, &rows).and_then(|()| print_csv(&mut host, &rows)).expect("the host takes text");
+    debug::exit(debug::EXIT_SUCCESS);
+    unreachable!("the host has ended this program");
+}
+
+/// Instructions a shape.
+struct Cost {
+    /// None for what it cannot draw.
+    embedded_graphics: Option<u32>,
+    spanfill: u32,
+    bare_fill: u32,
+}
+
+struct Bench {
+    counter: InstructionCounter,
+    frame: &'static mut Frame,
+    blocks: &'static mut [Rectangle],
+}
+
+impl Bench {
+    fn measure(&mut self, scene: Scene) -> Cost {
+        let pixel = |[x, y]: PixelPoint| Point::new(x, y);
+        let filled = PrimitiveStyle::with_fill(COLOUR);
+        match scene {
+            Scene::Triangles(box_px) => {
+                let shapes = triangles(box_px).map(|vertices| vertices.map(pixel));
+                let theirs = shapes.map(|[a, b, c]| eg::Triangle::new(a, b, c).into_styled(filled));
+                let shapes = triangles(box_px).map(|vertices| vertices.map(pixel));
+                let ours = shapes.map(|[a, b, c]| Triangle::new(a, b, c).filled(COLOUR));
+                self.compare(theirs, ours)
+            }
+            Scene::Circles(radius_px) => {
+                let theirs = circles(radius_px).map(|[x, y]| {
+                    let top_left = Point::new(x - radius_px, y - radius_px);
+                    eg::Circle::new(top_left, 2 * radius_px.unsigned_abs()).into_styled(filled)
+                });
+                let ours = circles(radius_px).map(|[x, y]| Circle::new(Vertex::new(x, y), radius_px).filled(COLOUR));
+                self.compare(theirs, ours)
+            }
+            Scene::Lines(box_px) => {
+                let thin = PrimitiveStyle::with_stroke(COLOUR, 1);
+                let ends = lines(box_px).map(|ends| ends.map(pixel));
+                let theirs = ends.map(|[start, end]| eg::Line::new(start, end).into_styled(thin));
+                let ends = lines(box_px).map(|ends| ends.map(pixel));
+                let ours = ends.map(|[start, end]| Line::new(start, end).filled(COLOUR));
+                self.compare(theirs, ours)
+            }
+            Scene::Star => {
+                let star = STAR_POLYGON.with_capacity::<{ STAR_POLYGON.active_edges() }>();
+                let star = star.expect("the capacity is what it needs");
+                self.polygon(|| star.filled(COLOUR))
+            }
+            Scene::Concave64 => {
+                let concave = CONCAVE_64_POLYGON.with_capacity::<{ CONCAVE_64_POLYGON.active_edges() }>();
+                let concave = concave.expect("the capacity is what it needs");
+                self.polygon(|| concave.filled(COLOUR))
+            }
+        }
+    }
+
+    fn compare(
+        &mut self,
+        theirs: impl Iterator<Item = impl Drawable<Color = Rgb565>>,
+        ours: impl Iterator<Item = impl Drawable<Color = Rgb565>>,
+    ) -> Cost {
+        let theirs: [_; SHAPES] = take(theirs);
+        let ours: [_; SHAPES] = take(ours);
+        Cost {
+            embedded_graphics: Some(self.draw(&theirs)),
+            spanfill: self.draw(&ours),
+            bare_fill: self.fill_blocks_of(&ours),
+        }
+    }
+
+    /// Draws one polygon time and again.
+    fn polygon<D: Drawable<Color = Rgb565>>(&mut self, shape: impl Fn() -> D) -> Cost {
+        let ours: [_; POLYGONS] = take(iter::repeat_with(shape));
+        Cost { embedded_graphics: None, spanfill: self.draw(&ours), bare_fill: self.fill_blocks_of(&ours) }
+    }
+
+    /// Draws the shapes: the instructions that it takes, a shape.
+    fn draw(&mut self, shapes: &[impl Drawable<Color = Rgb565>]) -> u32 {
+        let instructions = self.counter.count(shapes, |shape| {
+            let Ok(_) = shape.draw(self.frame);
+        });
+        instructions / shapes.len() as u32
+    }
+
+    /// Fills the rectangles that the shapes send, shape by shape: the instructions that it takes, a shape.
+    fn fill_blocks_of(&mut self, shapes: &[impl Drawable<Color = Rgb565>]) -> u32 {
+        let mut recorder = RecordBlocks::new(self.blocks);
+        for shape in shapes {
+            assert!(shape.draw(&mut recorder).is_ok(), "the shapes have more than {BLOCKS} rectangles");
+        }
+        let blocks = recorder.into_blocks();
+        let instructions = self.counter.count(blocks, |block| {
+            let Ok(()) = self.frame.fill_solid(block, COLOUR);
+        });
+        instructions / shapes.len() as u32
+    }
+}
+
+type Row = (Scene, Cost);
+
+fn print_table(host: &mut HostStream, rows: &[Row]) -> fmt::Result {
+    writeln!(
+        host,
+        "| shape | embedded-graphics | spanfill | bare `fill_solid` | embedded-graphics / spanfill | spanfill / bare |\n\
+         |---|--:|--:|--:|--:|--:|"
+    )?;
+    for (scene, cost) in rows {
+        write!(host, "| {}, {} {} px | ", scene.name(), scene.size_name(), scene.size_px())?;
+        if let Some(instructions) = cost.embedded_graphics {
+            write!(host, "{instructions}")?;
+        }
+        write!(host, " | {} | {} | ", cost.spanfill, cost.bare_fill)?;
+        if let Some(instructions) = cost.embedded_graphics {
+            write_ratio(host, instructions, cost.spanfill)?;
+        }
+        write!(host, " | ")?;
+        write_ratio(host, cost.spanfill, cost.bare_fill)?;
+        writeln!(host, " |")?;
+    }
+    Ok(())
+}
+
+/// Two decimals, rounded to the nearest.
+fn write_ratio(host: &mut HostStream, numerator: u32, denominator: u32) -> fmt::Result {
+    let hundredths = (u64::from(numerator) * 100 + u64::from(denominator / 2)) / u64::from(denominator.max(1));
+    write!(host, "{}.{:02}", hundredths / 100, hundredths % 100)
+}
+
+/// After an empty line. `px` is the size that belongs to the scene's name, see [`Scene::size_px`].
+fn print_csv(host: &mut HostStream, rows: &[Row]) -> fmt::Result {
+    writeln!(host, "\nscene,variant,target,px,instructions")?;
+    for (scene, cost) in rows {
+        let mut row = |variant: &str, instructions: u32| {
+            writeln!(host, "{},{variant},cortex-m4,{},{instructions}", scene.name(), scene.size_px())
+        };
+        if let Some(instructions) = cost.embedded_graphics {
+            row("embedded-graphics", instructions)?;
+        }
+        row("spanfill", cost.spanfill)?;
+        row("bare-fill-solid", cost.bare_fill)?;
+    }
+    Ok(())
+}
+
+fn take<T, const N: usize>(mut shapes: impl Iterator<Item = T>) -> [T; N] {
+    core::array::from_fn(|_| shapes.next().expect("the scenes are endless"))
+}

@@ -1,0 +1,236 @@
+#!/usr/bin/env bash
+# Builds the library and the firmware examples for microcontrollers, and runs the firmware in QEMU. See --help.
+set -euo pipefail
+
+usage() {
+    cat <<'END'
+Builds the library and the firmware examples for microcontrollers, and runs the firmware in QEMU.
+
+Usage: examples/firmware/run.sh COMMAND
+
+Commands:
+  build              The library, without features, for thumbv6m, thumbv7m, thumbv7em and riscv32imac; the firmware
+                     examples for their boards.
+  oled [OUT]         Runs `oled` on an emulated board and saves what its panel shows: 512 x 256, each pixel 4 x 4.
+                     OUT ends in .png or .ppm. [default: oled.png]
+  cycles [--csv OUT] Runs `cycles` on an emulated Cortex-M4: a table of instructions a shape. The CSV rows follow the
+                     table, or go to OUT.
+
+Environment:
+  SPANFILL_TOOLCHAIN   `rustup`: the toolchain in use, with rustup's targets, which are added where they are missing.
+                       `debian`: Debian's compiler in /usr/bin, building `core` from Debian's source package.
+                       [default: rustup where it has the target or can add it, debian otherwise]
+  CARGO_TARGET_DIR     Where to build, as for cargo.
+  CI                   When set, as root and with apt-get: what is missing is installed. Otherwise one line says what
+                       to install, and the exit status is 1.
+
+Whatever could not be built or run is a failure.
+END
+}
+
+fail() {
+    echo "run.sh: $*" >&2
+    exit 1
+}
+
+# --- What must be installed ------------------------------------------------------------------------------------------
+
+# need COMMAND_OR_FILE PACKAGE...: installs the packages if the first of the arguments is missing and this is CI.
+need() {
+    local wanted=$1
+    shift
+    have "$wanted" && return
+    if [[ -n ${CI:-} && $(id -u) == 0 ]] && have apt-get; then
+        echo "run.sh: installing $*" >&2
+        { apt-get update && DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends "$@"; } >&2 ||
+            fail "$wanted is missing, and apt-get could not install $*"
+    fi
+    have "$wanted" || fail "$wanted is missing; on Debian: apt-get install $*"
+}
+
+have() {
+    if [[ $1 == /* ]]; then [[ -e $1 ]]; else command -v "$1" >/dev/null; fi
+}
+
+# --- Building --------------------------------------------------------------------------------------------------------
+
+rustup_provides() {
+    have rustup || return
+    rustup target list --installed 2>/dev/null | grep -qx "$1" || rustup target add "$1" >/dev/null 2>&1
+}
+
+# cargo_for TARGET COMMAND [ARGUMENT...]: that cargo command by the toolchain that can build for the target.
+cargo_for() {
+    local target=$1 command=$2
+    shift 2
+    local toolchain=${SPANFILL_TOOLCHAIN:-}
+    if [[ -z $toolchain ]]; then
+        if rustup_provides "$target"; then toolchain=rustup; else toolchain=debian; fi
+    fi
+    case $toolchain in
+    rustup)
+        rustup_provides "$target" || fail "rustup has no $target; try: rustup target add $target"
+        cargo "$command" --release --target "$target" --target-dir "$target_dir" "$@"
+        ;;
+    debian)
+        need /usr/bin/rustc rustc-web
+        need /usr/bin/cargo cargo-web
+        need /usr/lib/rustlib/src/rust/library/core rust-web-src
+        need ld.lld lld
+        # RUSTC_BOOTSTRAP: `-Z build-std` is not a stable option of cargo.
+        env -u LD_LIBRARY_PATH RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 /usr/bin/cargo "$command" -Z build-std=core \
+            --config "target.$target.linker = 'ld.lld'" \
+            --release --target "$target" --target-dir "$target_dir/debian-toolchain" "$@"
+        ;;
+    *)
+        fail "SPANFILL_TOOLCHAIN is '$toolchain': neither rustup nor debian"
+        ;;
+    esac
+}
+
+# build_firmware EXAMPLE TARGET: builds it and prints the name of its ELF file.
+build_firmware() {
+    # One codegen unit: otherwise what is inlined, and so what is counted, depends on how the compiler cuts up the crate.
+    cargo_for "$2" build --config profile.release.codegen-units=1 \
+        --features _firmware --example "$1" --message-format json-render-diagnostics |
+        sed -n 's/.*"executable":"\([^"]*\)".*/\1/p' | tail -n 1
+}
+
+build_everything() {
+    local target
+    for target in thumbv6m-none-eabi thumbv7m-none-eabi thumbv7em-none-eabi riscv32imac-unknown-none-elf; do
+        echo "run.sh: the library for $target" >&2
+        cargo_for "$target" build --lib
+    done
+    build_oled >/dev/null
+    build_cycles >/dev/null
+}
+
+build_oled() {
+    build_firmware oled thumbv7m-none-eabi
+}
+
+build_cycles() {
+    build_firmware cycles thumbv7em-none-eabi
+}
+
+# --- Running ---------------------------------------------------------------------------------------------------------
+
+run_oled() {
+    local out=${1:-oled.png} format
+    case $out in
+    *.png) format=png ;;
+    *.ppm) format=ppm ;;
+    *) fail "$out ends neither in .png nor in .ppm" ;;
+    esac
+    need qemu-system-arm qemu-system-arm
+    local elf
+    elf=$(build_oled)
+
+    # QEMU's monitor takes commands by one pipe and answers by another; what the firmware says goes to `said`.
+    mkfifo "$scratch/monitor.in" "$scratch/monitor.out"
+    exec 3<>"$scratch/monitor.in" 4<>"$scratch/monitor.out"
+    : >"$scratch/said"
+    qemu-system-arm -machine lm3s6965evb -display none -serial none \
+        -chardev pipe,id=monitor,path="$scratch/monitor" -mon chardev=monitor,mode=control \
+        -semihosting-config enable=on,target=native -kernel "$elf" >"$scratch/said" 2>&1 &
+    qemu=$!
+    wait_until_said "oled: the scene is on the panel"
+
+    echo '{"execute": "qmp_capabilities"}' >&3
+    await_reply '"return"'
+    echo '{"execute": "screendump", "arguments": {"filename": "'"$scratch/screen"'", "format": "'$format'"}}' >&3
+    await_reply '"return"'
+    echo '{"execute": "quit"}' >&3
+    wait "$qemu"
+    qemu=
+    mv "$scratch/screen" "$out"
+    echo "run.sh: what the panel shows is in $out" >&2
+}
+
+# Waits for a line of the firmware's, 30 seconds at most.
+wait_until_said() {
+    local tenths
+    for ((tenths = 0; tenths < 300; tenths++)); do
+        grep -qF "$1" "$scratch/said" && return
+        kill -0 "$qemu" 2>/dev/null || break
+        sleep 0.1
+    done
+    fail "the firmware did not say '$1' but: $(cat "$scratch/said")"
+}
+
+# Waits for a reply of the monitor's, skipping its greeting and its events.
+await_reply() {
+    local line
+    while read -r -t 30 -u 4 line; do
+        [[ $line == *'"error"'* ]] && fail "QEMU's monitor: $line"
+        [[ $line == *"$1"* ]] && return
+    done
+    fail "QEMU's monitor does not answer"
+}
+
+run_cycles() {
+    local csv=
+    case ${1:-} in
+    '') ;;
+    --csv) csv=${2:?--csv needs the name of a file} ;;
+    *) fail "cycles does not know '$1'; see --help" ;;
+    esac
+    need qemu-system-arm qemu-system-arm
+    local elf
+    elf=$(build_cycles)
+
+    # The firmware ends QEMU itself, with a status other than 0 if it panics. The longest run seen took 5 seconds.
+    timeout 300 qemu-system-arm -machine mps2-an386 -icount shift=0 -nographic \
+        -semihosting-config enable=on,target=native -kernel "$elf" </dev/null >"$scratch/said" ||
+        fail "the firmware failed: $(cat "$scratch/said")"
+    if [[ -z $csv ]]; then
+        cat "$scratch/said"
+    else
+        # An empty line parts the table from the rows.
+        sed '/^$/,$d' "$scratch/said"
+        sed '1,/^$/d' "$scratch/said" >"$csv"
+    fi
+}
+
+# --- Here it starts --------------------------------------------------------------------------------------------------
+
+command=${1:---help}
+shift || true
+case $command in
+-h | --help | help)
+    usage
+    exit
+    ;;
+build | oled | cycles) ;;
+*) fail "there is no '$command'; see --help" ;;
+esac
+
+# An output file's name is relative to where the caller is, everything else to the package.
+caller_dir=$PWD
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+
+# Flags for the host's compiler are none for the firmware's: they would replace those of .cargo/config.toml.
+unset RUSTFLAGS CARGO_ENCODED_RUSTFLAGS CARGO_BUILD_TARGET
+
+# Empty, or the QEMU that must not outlive this script.
+qemu=
+scratch=$(mktemp -d)
+trap '[[ -z $qemu ]] || kill "$qemu" 2>/dev/null; rm -rf "$scratch"' EXIT
+
+in_caller_dir() {
+    case $1 in
+    /*) echo "$1" ;;
+    *) echo "$caller_dir/$1" ;;
+    esac
+}
+
+target_dir=$(in_caller_dir "${CARGO_TARGET_DIR:-$PWD/target}")
+
+case $command in
+build) build_everything ;;
+oled) run_oled "$(in_caller_dir "${1:-oled.png}")" ;;
+cycles)
+    if [[ ${1:-} == --csv && -n ${2:-} ]]; then run_cycles --csv "$(in_caller_dir "$2")"; else run_cycles "$@"; fi
+    ;;
+esac
