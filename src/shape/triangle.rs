@@ -1,6 +1,6 @@
 //! Filled triangle: two trapezoids that share the long edge.
 
-use core::{mem::swap, ops::Range};
+use core::ops::Range;
 
 use fixed::types::I24F8;
 
@@ -106,16 +106,10 @@ struct Sorted {
 impl Triangle {
     #[inline(always)]
     fn sorted(&self) -> Sorted {
-        let [mut top, mut middle, mut bottom] = self.vertices;
-        if top.y > middle.y {
-            swap(&mut top, &mut middle);
-        }
-        if middle.y > bottom.y {
-            swap(&mut middle, &mut bottom);
-        }
-        if top.y > middle.y {
-            swap(&mut top, &mut middle);
-        }
+        let [a, b, c] = self.vertices;
+        let (a, b) = by_height(a, b);
+        let (b, bottom) = by_height(b, c);
+        let (top, middle) = by_height(a, b);
         Sorted { top, middle, bottom }
     }
 
@@ -201,4 +195,13 @@ impl Sorted {
         }
         block.finish(end, sink)
     }
+}
+
+/// The upper of two vertices and the lower, without a jump: one here would be mispredicted every other time.
+#[inline(always)]
+fn by_height(a: Vertex, b: Vertex) -> (Vertex, Vertex) {
+    let swap = (a.x.to_bits() ^ b.x.to_bits()) & -i32::from(a.y > b.y);
+    let upper = Vertex::from_bits(a.x.to_bits() ^ swap, a.y.min(b.y).to_bits());
+    let lower = Vertex::from_bits(b.x.to_bits() ^ swap, a.y.max(b.y).to_bits());
+    (upper, lower)
 }
