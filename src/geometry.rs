@@ -28,8 +28,9 @@ impl Vertex {
     #[inline]
     pub fn new<X, Y>(x: X, y: Y) -> Self
     where
-        X: ToFixed + Copy + PartialEq,
-        Y: ToFixed + Copy + PartialEq,
+        X: ToFixed + Copy,
+        Y: ToFixed + Copy,
+        I24F8: PartialOrd<X> + PartialOrd<Y>,
     {
         Self { x: saturate(x), y: saturate(y) }
     }
@@ -54,11 +55,18 @@ impl From<Point> for Vertex {
     }
 }
 
-/// `ToFixed` panics on NaN, whatever the rounding asked for; this does not.
+/// The nearest coordinate; NaN is 0. Of `fixed`'s conversions, only the checked one never panics.
 #[inline]
-pub(crate) fn saturate<T: ToFixed + Copy + PartialEq>(value: T) -> I24F8 {
-    #[allow(clippy::eq_op, reason = "only NaN differs from itself")]
-    if value != value { I24F8::ZERO } else { value.saturating_to_fixed() }
+pub(crate) fn saturate<T: ToFixed + Copy>(value: T) -> I24F8
+where
+    I24F8: PartialOrd<T>,
+{
+    match value.checked_to_fixed() {
+        Some(coordinate) => coordinate,
+        None if I24F8::ZERO < value => I24F8::MAX,
+        None if I24F8::ZERO > value => I24F8::MIN,
+        None => I24F8::ZERO,
+    }
 }
 
 /// A rectangle of whole pixels, half-open.

@@ -193,7 +193,10 @@ impl<'a, 's> Table<'a, 's> {
                 edge.edge = remade(contour_of(self.contours, edge.contour), edge.vertex, edge.contour >= 0, row);
             }
             if kept != index {
-                active.swap(kept, index);
+                let edge = *edge;
+                if let Some(slot) = active.get_mut(kept) {
+                    *slot = edge;
+                }
             }
             kept += 1;
         }

@@ -56,7 +56,8 @@ impl Circle {
     #[inline]
     pub fn new<R>(center: impl Into<Vertex>, radius: R) -> Self
     where
-        R: ToFixed + Copy + PartialEq,
+        R: ToFixed + Copy,
+        I24F8: PartialOrd<R>,
     {
         Self { center: center.into(), radius: saturate(radius) }
     }
