@@ -53,7 +53,6 @@
 //! scratch for a polygon, which is found before anything is drawn.
 
 #![no_std]
-#![cfg_attr(test, allow(clippy::cast_possible_truncation, reason = "tests compare with floats"))]
 #![forbid(unsafe_code)]
 #![deny(missing_docs)]
 #![deny(

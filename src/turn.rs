@@ -93,10 +93,10 @@ mod tests {
     fn no_angle_is_off_by_more_than_a_350th() {
         let (center, radius) = (Vertex::new(12.5, -7.25), 87.0);
         let start = Vertex::new(center.x + I24F8::from_num(radius), center.y);
-        for tenths in -7200..=7200 {
-            let angle = f64::from(tenths) / 10.0;
-            let turned = Turn::from_degrees(angle as f32).about(center, start);
-            let (sin, cos) = angle.to_radians().sin_cos();
+        for tenths in -7200_i16..=7200 {
+            let angle = f32::from(tenths) / 10.0;
+            let turned = Turn::from_degrees(angle).about(center, start);
+            let (sin, cos) = f64::from(angle).to_radians().sin_cos();
             let exact = Vertex::new(center.x.to_num::<f64>() + radius * cos, center.y.to_num::<f64>() + radius * sin);
             assert!(distance(turned, exact) <= radius / 350.0 + 1.0 / 128.0, "{angle} degrees");
         }
