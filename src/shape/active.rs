@@ -35,7 +35,7 @@ impl ActiveEdge {
     /// The edge that leaves `vertex` one way, if it goes down; `row` is the vertex's.
     #[inline]
     fn below(contours: Contours<'_>, vertex: u32, contour: i32, row: i32, rows: &Range<i32>) -> Option<Self> {
-        let (upper, lower, vertex, until) = edge_below(contour_of(contours, contour), vertex, contour >= 0, rows)?;
+        let (upper, lower, vertex, until) = edge_below(contour_of(contours, contour), vertex, contour >= 0, row, rows)?;
         Some(Self { edge: Edge::on_row(upper, lower, row), until, vertex, contour })
     }
 
@@ -156,7 +156,10 @@ impl<'a, 's> Table<'a, 's> {
         for edge in self.slots.get_mut(..self.active).unwrap_or_default() {
             crossing(edge.edge.column, edge.winding())?;
             edge.edge.step();
-            is_sorted &= previous <= edge.edge.column;
+            // Hardly ever true, so a jump is cheaper than keeping the answer.
+            if edge.edge.column < previous {
+                is_sorted = false;
+            }
             previous = edge.edge.column;
         }
         self.is_sorted = is_sorted;

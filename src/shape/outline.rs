@@ -214,29 +214,25 @@ pub(crate) fn next_index(contour: &[Vertex], index: u32, is_forward: bool) -> u3
     }
 }
 
-/// The edge that goes down from `vertex` one way along the contour, past flat edges: its ends, the index of the lower
+/// The edge that goes down one way from `vertex`, which is on `row`, past flat edges: its ends, the index of the lower
 /// one, and that one's row. `None` where the contour turns up.
-#[inline]
+#[inline(always)]
 pub(crate) fn edge_below(
     contour: &[Vertex],
     vertex: u32,
     is_forward: bool,
+    row: i32,
     rows: &Range<i32>,
 ) -> Option<(Vertex, Vertex, u32, i32)> {
-    let clamped = |vertex: Vertex| row_of(vertex).min(rows.end).max(rows.start);
     let mut index = vertex;
     let mut upper = *contour.get(index as usize)?;
-    let row = clamped(upper);
     // A contour all of whose vertices are on one row has no edges; it is not walked around twice.
     for _ in 0..contour.len() {
         index = next_index(contour, index, is_forward);
         let lower = *contour.get(index as usize)?;
-        let lower_row = clamped(lower);
-        if lower_row > row {
-            return Some((upper, lower, index, lower_row));
-        }
-        if lower_row < row {
-            return None;
+        let lower_row = row_of(lower).min(rows.end).max(rows.start);
+        if lower_row != row {
+            return if lower_row > row { Some((upper, lower, index, lower_row)) } else { None };
         }
         upper = lower;
     }
