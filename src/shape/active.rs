@@ -1,31 +1,26 @@
-//! The active edge table: the edges that cross the current row, from left to right, in scratch that the caller owns.
+//! Scratch for active edges: what one slot holds, and an owner for slots.
 
 use core::ops::Range;
 
 use crate::{
     Vertex,
     edge::Edge,
-    shape::outline::{Contours, edge_below, next_index},
+    shape::{
+        outline::{Contours, edge_below, next_index},
+        waiting::Top,
+    },
 };
 
 /// Scratch for one active edge of a polygon; see [`Polygon`](crate::Polygon). 32 bytes.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct ActiveEdge {
-    edge: Edge,
+    pub(super) edge: Edge,
     /// The row it ends on; of a top that waits, the row it starts on.
-    until: i32,
+    pub(super) until: i32,
     /// The vertex it ends at; of a top that waits, the one it starts at.
-    vertex: u32,
+    pub(super) vertex: u32,
     /// The contour that it is part of, inverted where it runs up it.
-    contour: i32,
-}
-
-/// Where a contour turns down: two edges start on `row`.
-#[derive(Debug, Clone, Copy)]
-struct Top {
-    row: i32,
-    vertex: u32,
-    contour: i32,
+    pub(super) contour: i32,
 }
 
 impl ActiveEdge {
@@ -34,37 +29,43 @@ impl ActiveEdge {
 
     /// The edge that leaves `vertex` one way, if it goes down; `row` is the vertex's.
     #[inline]
-    fn below(contours: Contours<'_>, vertex: u32, contour: i32, row: i32, rows: &Range<i32>) -> Option<Self> {
+    pub(super) fn below(
+        contours: Contours<'_>,
+        vertex: u32,
+        contour: i32,
+        row: i32,
+        rows: &Range<i32>,
+    ) -> Option<Self> {
         let (upper, lower, vertex, until) = edge_below(contour_of(contours, contour), vertex, contour >= 0, row, rows)?;
         Some(Self { edge: Edge::on_row(upper, lower, row), until, vertex, contour })
     }
 
     /// 1 where the contour goes down, -1 where it goes up.
     #[inline(always)]
-    fn winding(&self) -> i32 {
+    pub(super) fn winding(&self) -> i32 {
         (self.contour >> 31) | 1
     }
 
     /// A slot that waits uses three of its fields, and only those are moved.
     #[inline(always)]
-    fn wait_for(&mut self, top: Top) {
+    pub(super) fn wait_for(&mut self, top: Top) {
         (self.until, self.vertex, self.contour) = (top.row, top.vertex, top.contour);
     }
 
     #[inline(always)]
-    fn top(&self) -> Top {
+    pub(super) fn top(&self) -> Top {
         Top { row: self.until, vertex: self.vertex, contour: self.contour }
     }
 }
 
 #[inline]
-fn contour_of(contours: Contours<'_>, contour: i32) -> &[Vertex] {
+pub(super) fn contour_of(contours: Contours<'_>, contour: i32) -> &[Vertex] {
     contours.contour((contour ^ (contour >> 31)).unsigned_abs() as usize)
 }
 
 /// An edge too tall to be stepped, for another row.
 #[inline(never)]
-fn remade(contour: &[Vertex], lower: u32, is_forward: bool, row: i32) -> Edge {
+pub(super) fn remade(contour: &[Vertex], lower: u32, is_forward: bool, row: i32) -> Edge {
     match (contour.get(next_index(contour, lower, !is_forward) as usize), contour.get(lower as usize)) {
         (Some(&upper), Some(&lower)) => Edge::on_row(upper, lower, row),
         _ => Edge::EMPTY,
@@ -93,258 +94,4 @@ impl<const N: usize> Default for ActiveEdges<N> {
     fn default() -> Self {
         Self::new()
     }
-}
-
-/// The table over the caller's slots.
-///
-/// ```text
-///   | active, by column | free | waiting, by row |
-/// ```
-///
-/// An edge that ends is replaced in its slot by the one that follows it along the contour, so the table is only ever
-/// searched for the tops, where a contour turns down and two edges begin. Finding them takes a pass over the vertices;
-/// the slots that are free at that time remember the next ones. Scratch for exactly the active edges is enough, more
-/// saves passes, and with two slots a top there is just one.
-#[derive(Debug)]
-pub(crate) struct Table<'a, 's> {
-    contours: Contours<'a>,
-    rows: &'s Range<i32>,
-    slots: &'s mut [ActiveEdge],
-    active: usize,
-    waiting: usize,
-    /// Every top above this row has started or waits; none at or below it does.
-    horizon: i32,
-    is_sorted: bool,
-}
-
-impl<'a, 's> Table<'a, 's> {
-    #[inline]
-    pub(crate) fn new(contours: Contours<'a>, rows: &'s Range<i32>, slots: &'s mut [ActiveEdge]) -> Self {
-        let waiting = slots.len();
-        Self { contours, rows, slots, active: 0, waiting, horizon: rows.start, is_sorted: true }
-    }
-
-    /// Adds the edges that start on `row`.
-    #[inline]
-    pub(crate) fn start(&mut self, row: i32) {
-        if row >= self.horizon {
-            self.look_ahead(row);
-        }
-        if self.slots.get(self.waiting).is_some_and(|top| top.until == row) {
-            self.start_waiting(row);
-        }
-    }
-
-    /// The next row on which an edge may start.
-    #[inline]
-    pub(crate) fn next_start(&self) -> i32 {
-        self.slots.get(self.waiting).map_or(self.horizon, |top| top.until)
-    }
-
-    #[inline]
-    pub(crate) fn is_idle(&self) -> bool {
-        self.active == 0
-    }
-
-    /// Hands over each active edge's column and winding, from left to right, and takes it one row down.
-    ///
-    /// On the row of the next event they must [`turn`](Self::turn) then, on the others be [`sorted`](Self::sort).
-    #[inline(always)]
-    pub(crate) fn cross_and_step<E>(&mut self, mut crossing: impl FnMut(i32, i32) -> Result<(), E>) -> Result<(), E> {
-        let mut previous = i32::MIN;
-        let mut is_sorted = true;
-        for edge in self.slots.get_mut(..self.active).unwrap_or_default() {
-            crossing(edge.edge.column, edge.winding())?;
-            edge.edge.step();
-            // Hardly ever true, so a jump is cheaper than keeping the answer.
-            if edge.edge.column < previous {
-                is_sorted = false;
-            }
-            previous = edge.edge.column;
-        }
-        self.is_sorted = is_sorted;
-        Ok(())
-    }
-
-    /// Brings the edges into the order of their columns again.
-    #[inline(always)]
-    pub(crate) fn sort(&mut self) {
-        if !self.is_sorted {
-            self.sort_active();
-        }
-    }
-
-    #[inline(never)]
-    fn sort_active(&mut self) {
-        let active = self.slots.get_mut(..self.active).unwrap_or_default();
-        (1..active.len()).for_each(|place| sink_left(active, place));
-    }
-
-    /// On `row`, replaces the edges that end by those that follow them along their contour.
-    #[inline(never)]
-    pub(crate) fn turn(&mut self, row: i32) {
-        let Some(active) = self.slots.get_mut(..self.active) else { return };
-        let mut kept = 0;
-        for index in 0..active.len() {
-            let Some(edge) = active.get_mut(index) else { break };
-            if edge.until == row {
-                let Some(next) = ActiveEdge::below(self.contours, edge.vertex, edge.contour, row, self.rows) else {
-                    continue;
-                };
-                *edge = next;
-            } else if !edge.edge.can_step() {
-                edge.edge = remade(contour_of(self.contours, edge.contour), edge.vertex, edge.contour >= 0, row);
-            }
-            if kept != index {
-                let edge = *edge;
-                if let Some(slot) = active.get_mut(kept) {
-                    *slot = edge;
-                }
-            }
-            kept += 1;
-        }
-        self.active = kept;
-        self.sort_active();
-    }
-
-    /// The next row, at most `limit`, on which an edge starts or ends, or which some edge cannot be stepped to.
-    #[inline]
-    pub(crate) fn next_event(&self, row: i32, limit: i32) -> i32 {
-        let active = self.slots.get(..self.active).unwrap_or_default();
-        let mut event = self.next_start().min(limit);
-        for edge in active {
-            event = event.min(if edge.edge.can_step() { edge.until } else { row });
-        }
-        event.max(row)
-    }
-
-    #[inline(never)]
-    fn start_waiting(&mut self, row: i32) {
-        let tops = self.slots.get(self.waiting..).unwrap_or_default();
-        let group = tops.iter().take_while(|top| top.until == row).count();
-        if self.active + group > self.waiting {
-            // The later tops make room, and are looked up again when their row comes.
-            if let Some(later) = tops.get(group) {
-                self.horizon = later.until;
-            }
-            let end = self.slots.len();
-            move_up(self.slots, self.waiting, group, end);
-            self.waiting = end - group;
-        }
-        for _ in 0..group {
-            let Some(top) = self.slots.get(self.waiting).map(ActiveEdge::top) else { return };
-            self.waiting += 1;
-            for contour in [top.contour, !top.contour] {
-                let edge = ActiveEdge::below(self.contours, top.vertex, contour, row, self.rows);
-                if let (Some(edge), Some(slot)) = (edge, self.slots.get_mut(self.active)) {
-                    *slot = edge;
-                    sink_left(self.slots, self.active);
-                    self.active += 1;
-                }
-            }
-        }
-    }
-
-    /// Fills the free slots with the tops from `row` on, as many whole rows of them as fit.
-    #[inline(never)]
-    fn look_ahead(&mut self, row: i32) {
-        let Some(free) = self.slots.get_mut(self.active..) else { return };
-        let capacity = free.len();
-        let mut queued = 0;
-        let mut horizon = i32::MAX;
-        // A heap of the earliest tops so far, the latest of them at the root.
-        self.contours.for_each_top(self.rows, |contour, vertex, start| {
-            let top = Top { row: start, vertex, contour };
-            if start < row {
-            } else if queued < capacity {
-                queued += 1;
-                sift_up(free, queued - 1, top);
-            } else if let Some(latest) = free.first().map(|latest| latest.until).filter(|&latest| start < latest) {
-                horizon = horizon.min(latest);
-                sift_down(free, top);
-            } else {
-                horizon = horizon.min(start);
-            }
-        });
-        for end in (1..queued).rev() {
-            if let Some([latest, .., last]) = free.get_mut(..=end) {
-                let top = last.top();
-                last.wait_for(latest.top());
-                sift_down(free.get_mut(..end).unwrap_or_default(), top);
-            }
-        }
-        while free.get(queued.wrapping_sub(1)).is_some_and(|top| top.until >= horizon) {
-            queued -= 1;
-        }
-        move_up(free, 0, queued, capacity);
-        self.waiting = self.slots.len() - queued;
-        self.horizon = horizon;
-    }
-}
-
-/// Moves the edge at `place` to the left until the slots up to there are sorted by column, as those before it were.
-#[inline]
-fn sink_left(slots: &mut [ActiveEdge], mut place: usize) {
-    let edge = match slots.get(..=place) {
-        Some([.., left, edge]) if left.edge.column > edge.edge.column => *edge,
-        _ => return,
-    };
-    while let Some([.., left, slot]) = slots.get_mut(..=place) {
-        if left.edge.column <= edge.edge.column {
-            break;
-        }
-        *slot = *left;
-        place -= 1;
-    }
-    if let Some(slot) = slots.get_mut(place) {
-        *slot = edge;
-    }
-}
-
-#[inline(always)]
-fn set_top(slots: &mut [ActiveEdge], index: usize, top: Top) {
-    if let Some(slot) = slots.get_mut(index) {
-        slot.wait_for(top);
-    }
-}
-
-/// Moves `count` tops from `start` so that they end at `end`, which is not before where they are.
-#[inline]
-fn move_up(slots: &mut [ActiveEdge], start: usize, count: usize, end: usize) {
-    for offset in (0..count).rev() {
-        if let Some(top) = slots.get(start + offset).map(ActiveEdge::top) {
-            set_top(slots, end - count + offset, top);
-        }
-    }
-}
-
-/// Adds `top` to the heap, whose latest top is at the root, at its end.
-#[inline]
-fn sift_up(heap: &mut [ActiveEdge], mut place: usize, top: Top) {
-    while place > 0 {
-        let parent = (place - 1) / 2;
-        match heap.get(parent).map(ActiveEdge::top) {
-            Some(above) if above.row < top.row => set_top(heap, place, above),
-            _ => break,
-        }
-        place = parent;
-    }
-    set_top(heap, place, top);
-}
-
-/// Puts `top` in the place of the root.
-#[inline]
-fn sift_down(heap: &mut [ActiveEdge], top: Top) {
-    let mut place = 0;
-    loop {
-        let (left, right) = (2 * place + 1, 2 * place + 2);
-        let row = |index: usize| heap.get(index).map_or(i32::MIN, |top| top.until);
-        let child = if row(right) > row(left) { right } else { left };
-        match heap.get(child).map(ActiveEdge::top) {
-            Some(below) if below.row > top.row => set_top(heap, place, below),
-            _ => break,
-        }
-        place = child;
-    }
-    set_top(heap, place, top);
 }

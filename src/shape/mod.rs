@@ -2,10 +2,14 @@
 
 mod active;
 mod circle;
+mod cut_runs;
 mod line;
 mod outline;
 mod polygon;
+mod runs;
+mod table;
 mod triangle;
+mod waiting;
 
 pub use active::{ActiveEdge, ActiveEdges};
 pub use circle::Circle;

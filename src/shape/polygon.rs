@@ -6,8 +6,8 @@ use crate::{
     PixelRect, TooManyEdges, Vertex,
     shape::{
         ActiveEdge, ActiveEdges, Shape,
-        active::Table,
         outline::{Contours, FillRule},
+        table::Table,
     },
     span::{BlockSink, EachSpan, MergeRows, RowSink, SpanSink, clip_range},
     subpixel::first_centre_at_or_after,

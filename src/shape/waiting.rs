@@ -1,0 +1,59 @@
+//! Tops that wait in free slots: a heap of the earliest ones while they are found, sorted afterwards.
+
+use crate::shape::active::ActiveEdge;
+
+/// Where a contour turns down: two edges start on `row`.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Top {
+    pub(super) row: i32,
+    pub(super) vertex: u32,
+    pub(super) contour: i32,
+}
+
+#[inline(always)]
+fn set_top(slots: &mut [ActiveEdge], index: usize, top: Top) {
+    if let Some(slot) = slots.get_mut(index) {
+        slot.wait_for(top);
+    }
+}
+
+/// Moves `count` tops from `start` so that they end at `end`, which is not before where they are.
+#[inline]
+pub(super) fn move_up(slots: &mut [ActiveEdge], start: usize, count: usize, end: usize) {
+    for offset in (0..count).rev() {
+        if let Some(top) = slots.get(start + offset).map(ActiveEdge::top) {
+            set_top(slots, end - count + offset, top);
+        }
+    }
+}
+
+/// Adds `top` to the heap, whose latest top is at the root, at its end.
+#[inline]
+pub(super) fn sift_up(heap: &mut [ActiveEdge], mut place: usize, top: Top) {
+    while place > 0 {
+        let parent = (place - 1) / 2;
+        match heap.get(parent).map(ActiveEdge::top) {
+            Some(above) if above.row < top.row => set_top(heap, place, above),
+            _ => break,
+        }
+        place = parent;
+    }
+    set_top(heap, place, top);
+}
+
+/// Puts `top` in the place of the root.
+#[inline]
+pub(super) fn sift_down(heap: &mut [ActiveEdge], top: Top) {
+    let mut place = 0;
+    loop {
+        let (left, right) = (2 * place + 1, 2 * place + 2);
+        let row = |index: usize| heap.get(index).map_or(i32::MIN, |top| top.until);
+        let child = if row(right) > row(left) { right } else { left };
+        match heap.get(child).map(ActiveEdge::top) {
+            Some(below) if below.row > top.row => set_top(heap, place, below),
+            _ => break,
+        }
+        place = child;
+    }
+    set_top(heap, place, top);
+}
