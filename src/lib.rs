@@ -4,6 +4,16 @@
 //! The pixels of a shape are those whose centres it covers, exactly, for vertices in 1/256 pixel and for every
 //! coordinate there is. They are the same on every machine, in every clip, whatever the order of the vertices.
 //!
+//! ```text
+//! Shape -clip-> Edge -one step a row-> Span, or a block of equal rows -> colour -> DrawTarget::fill_solid
+//!
+//! limits · subpixel · geometry · turn · edge · span, error · shape · draw
+//! ```
+//!
+//! A module uses only what stands to its left. Shapes know no colours and no targets: they push [`Span`]s or blocks
+//! into a sink ([`SpanSink`], [`BlockSink`]), cut to a clip, rows downwards, each pixel once. They meet colours and
+//! targets in [`Filled`].
+//!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
 //! use spanfill::{Circle, Triangle, prelude::*};
@@ -37,18 +47,6 @@
 //! - A thin line has one pixel for each step of its longer axis: the one that it crosses the middle of that step in.
 //! - `Vertex::from(Point)` is the centre of the pixel that the point names.
 //!
-//! # How it is built
-//!
-//! ```text
-//! Shape -clip-> Edge -one step a row-> Span, or a block of equal rows -> colour -> DrawTarget::fill_solid
-//!
-//! limits · subpixel · geometry · turn · edge · span, error · shape · draw
-//! ```
-//!
-//! A module uses only what stands to its left. Shapes know no colours and no targets: they push [`Span`]s or blocks
-//! into a sink ([`SpanSink`], [`BlockSink`]), cut to a clip, rows downwards, each pixel once. They meet colours and
-//! targets in [`Filled`].
-//!
 //! Nothing off the screen is ever sent, or costs more than finding out that it is; nothing is an error but too little
 //! scratch for a polygon, which is found before anything is drawn.
 
@@ -74,6 +72,10 @@ mod shape;
 mod span;
 mod subpixel;
 mod turn;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
 
 #[cfg(test)]
 extern crate std;

@@ -13,8 +13,9 @@ Commands:
                      examples for their boards. `no_panic` links only if the library has no panic path.
   oled [OUT]         Runs `oled` on an emulated board and saves what its panel shows: 512 x 256, each pixel 4 x 4.
                      OUT ends in .png or .ppm. [default: oled.png]
-  cycles [--csv OUT] Runs `cycles` on an emulated Cortex-M4: a table of instructions a shape. The CSV rows follow the
-                     table, or go to OUT.
+  cycles [--csv OUT] [--readme FILE]
+                     Runs `cycles` on an emulated Cortex-M4: a table of instructions a shape. The CSV rows follow the
+                     table, or go to OUT. In FILE, the table replaces what stands between its two `cycles` markers.
 
 Environment:
   SPANFILL_TOOLCHAIN   `rustup`: the toolchain in use, with rustup's targets, which are added where they are missing.
@@ -172,12 +173,15 @@ await_reply() {
 }
 
 run_cycles() {
-    local csv=
-    case ${1:-} in
-    '') ;;
-    --csv) csv=${2:?--csv needs the name of a file} ;;
-    *) fail "cycles does not know '$1'; see --help" ;;
-    esac
+    local csv= readme=
+    while (($#)); do
+        case $1 in
+        --csv) csv=$(in_caller_dir "${2:?--csv needs the name of a file}") ;;
+        --readme) readme=$(in_caller_dir "${2:?--readme needs the name of a file}") ;;
+        *) fail "cycles does not know '$1'; see --help" ;;
+        esac
+        shift 2
+    done
     need qemu-system-arm qemu-system-arm
     local elf
     elf=$(build_cycles)
@@ -186,13 +190,26 @@ run_cycles() {
     timeout 300 qemu-system-arm -machine mps2-an386 -icount shift=0 -nographic \
         -semihosting-config enable=on,target=native -kernel "$elf" </dev/null >"$scratch/said" ||
         fail "the firmware failed: $(cat "$scratch/said")"
-    if [[ -z $csv ]]; then
-        cat "$scratch/said"
-    else
-        # An empty line parts the table from the rows.
-        sed '/^$/,$d' "$scratch/said"
+    # An empty line parts the table from the rows.
+    sed '/^$/,$d' "$scratch/said" | tee "$scratch/table"
+    if [[ -n $csv ]]; then
         sed '1,/^$/d' "$scratch/said" >"$csv"
+    else
+        sed -n '/^$/,$p' "$scratch/said"
     fi
+    [[ -z $readme ]] || put_table_into "$readme"
+}
+
+# put_table_into FILE: replaces what stands between its two markers.
+put_table_into() {
+    grep -q '<!-- cycles:begin -->' "$1" && grep -q '<!-- cycles:end -->' "$1" ||
+        fail "$1 has no lines <!-- cycles:begin --> and <!-- cycles:end -->"
+    awk -v table="$scratch/table" '
+        /<!-- cycles:end -->/ { skipping = 0 }
+        !skipping { print }
+        /<!-- cycles:begin -->/ { skipping = 1; print ""; while ((getline line < table) > 0) print line; print "" }
+    ' "$1" >"$scratch/readme"
+    cat "$scratch/readme" >"$1"
 }
 
 # --- Here it starts --------------------------------------------------------------------------------------------------
@@ -232,7 +249,5 @@ target_dir=$(in_caller_dir "${CARGO_TARGET_DIR:-$PWD/target}")
 case $command in
 build) build_everything ;;
 oled) run_oled "$(in_caller_dir "${1:-oled.png}")" ;;
-cycles)
-    if [[ ${1:-} == --csv && -n ${2:-} ]]; then run_cycles --csv "$(in_caller_dir "$2")"; else run_cycles "$@"; fi
-    ;;
+cycles) run_cycles "$@" ;;
 esac

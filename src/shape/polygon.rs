@@ -113,12 +113,14 @@ impl<'a> Polygon<'a> {
     /// # Errors
     ///
     /// When the outline has more than `N` [`active_edges`](Self::active_edges).
-    pub fn with_capacity<const N: usize>(self) -> Result<PolygonWithCapacity<'a, N>, TooManyEdges> {
-        self.check(N)?;
-        Ok(PolygonWithCapacity { polygon: self })
+    pub const fn with_capacity<const N: usize>(self) -> Result<PolygonWithCapacity<'a, N>, TooManyEdges> {
+        match self.check(N) {
+            Ok(()) => Ok(PolygonWithCapacity { polygon: self }),
+            Err(error) => Err(error),
+        }
     }
 
-    fn check(&self, available: usize) -> Result<(), TooManyEdges> {
+    const fn check(&self, available: usize) -> Result<(), TooManyEdges> {
         if self.active_edges_at_most() <= available {
             return Ok(());
         }
