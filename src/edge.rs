@@ -67,7 +67,7 @@ impl Edge {
         Descent::between(top, bottom).near_top(centre(row).wrapping_sub(top.y.to_bits()))
     }
 
-    /// One row down. Only for an edge lower than `STEPPED_HEIGHT`.
+    /// One row down. An edge that cannot be stepped stays as it is.
     #[inline(always)]
     pub(crate) fn step(&mut self) {
         let remainder = self.remainder.wrapping_sub(self.step_remainder);
@@ -77,6 +77,7 @@ impl Edge {
         self.remainder = remainder.wrapping_add(self.modulus & borrows);
     }
 
+    /// Neither too tall nor too flat: see `limits::STEPPED_HEIGHT`, `limits::STEPPED_COLUMNS`.
     #[inline]
     pub(crate) fn can_step(&self) -> bool {
         self.modulus != 0

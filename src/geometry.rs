@@ -2,12 +2,13 @@
 
 use core::ops::Range;
 
-use crate::limits::{NARROW_REACH, SUBPIXEL_BITS};
 use embedded_graphics_core::{
     geometry::{Point, Size},
     primitives::Rectangle,
 };
 use fixed::{traits::ToFixed, types::I24F8};
+
+use crate::limits::{NARROW_REACH, SUBPIXEL_BITS};
 
 /// A point of an outline, in 1/256 pixel.
 ///
