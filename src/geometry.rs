@@ -49,6 +49,15 @@ impl Vertex {
     }
 }
 
+/// The upper of two vertices and the lower, without a jump: one here would be mispredicted every other time.
+#[inline(always)]
+pub(crate) fn by_height(a: Vertex, b: Vertex) -> (Vertex, Vertex) {
+    let swap = (a.x.to_bits() ^ b.x.to_bits()) & -i32::from(a.y > b.y);
+    let upper = Vertex::from_bits(a.x.to_bits() ^ swap, a.y.min(b.y).to_bits());
+    let lower = Vertex::from_bits(b.x.to_bits() ^ swap, a.y.max(b.y).to_bits());
+    (upper, lower)
+}
+
 impl From<Point> for Vertex {
     #[inline]
     fn from(point: Point) -> Self {

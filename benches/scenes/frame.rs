@@ -95,7 +95,9 @@ impl Frame {
 /// last. Few jumps, and none that depends on what is left over.
 #[inline(always)]
 fn fill(row: &mut [Rgb565], colour: Rgb565) {
-    if let Some(last) = row.last_chunk_mut::<8>() {
+    if let [pixel] = row {
+        *pixel = colour;
+    } else if let Some(last) = row.last_chunk_mut::<8>() {
         last.fill(colour);
         for eight in row.chunks_exact_mut(8) {
             eight.fill(colour);
@@ -105,13 +107,12 @@ fn fill(row: &mut [Rgb565], colour: Rgb565) {
         if let Some(first) = row.first_chunk_mut::<4>() {
             first.fill(colour);
         }
-    } else if let Some(last) = row.last_chunk_mut::<2>() {
-        last.fill(colour);
-        if let Some(first) = row.first_mut() {
-            *first = colour;
+    } else if let [first, .., last] = row {
+        *first = colour;
+        *last = colour;
+        if let [_, middle, _] = row {
+            *middle = colour;
         }
-    } else if let Some(pixel) = row.first_mut() {
-        *pixel = colour;
     }
 }
 

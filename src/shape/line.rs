@@ -4,6 +4,7 @@ use core::ops::Range;
 
 use crate::{
     PixelRect, Vertex,
+    geometry::by_height,
     limits::HALF,
     shape::{Shape, cut_runs::CutRuns, runs::whole},
     span::{BlockSink, SpanSink, SplitRows},
@@ -89,7 +90,7 @@ impl Shape for Line {
     #[inline]
     fn blocks<S: BlockSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
         // From top to bottom.
-        let (upper, lower) = if self.start.y <= self.end.y { (self.start, self.end) } else { (self.end, self.start) };
+        let (upper, lower) = by_height(self.start, self.end);
         let (upper, lower) = ((upper.x.to_bits(), upper.y.to_bits()), (lower.x.to_bits(), lower.y.to_bits()));
         if !is_well_inside(upper, lower, clip) {
             return self.cut(upper, lower, clip, sink);

@@ -7,6 +7,7 @@ use fixed::types::I24F8;
 use crate::{
     PixelRect, Vertex,
     edge::Edge,
+    geometry::by_height,
     shape::Shape,
     span::{BlockSink, OpenBlock, SpanSink, SplitRows, clip_range},
     subpixel::first_centre_at_or_after,
@@ -195,13 +196,4 @@ impl Sorted {
         }
         block.finish(end, sink)
     }
-}
-
-/// The upper of two vertices and the lower, without a jump: one here would be mispredicted every other time.
-#[inline(always)]
-fn by_height(a: Vertex, b: Vertex) -> (Vertex, Vertex) {
-    let swap = (a.x.to_bits() ^ b.x.to_bits()) & -i32::from(a.y > b.y);
-    let upper = Vertex::from_bits(a.x.to_bits() ^ swap, a.y.min(b.y).to_bits());
-    let lower = Vertex::from_bits(b.x.to_bits() ^ swap, a.y.max(b.y).to_bits());
-    (upper, lower)
 }
