@@ -135,14 +135,19 @@ impl<'a, 's> Table<'a, 's> {
     fn start_waiting(&mut self, row: i32) {
         let tops = self.slots.get(self.waiting..).unwrap_or_default();
         let group = tops.iter().take_while(|top| top.until == row).count();
-        if self.active + group > self.waiting {
-            // The later tops make room, and are looked up again when their row comes.
-            if let Some(later) = tops.get(group) {
-                self.horizon = later.until;
+        // A top's slot and one more become its two edges. The last tops make room, by whole rows, and are looked up again
+        // when their row comes.
+        let lacking = (self.active + group).saturating_sub(self.waiting);
+        if lacking > 0 {
+            let mut kept = tops.len().saturating_sub(lacking);
+            let horizon = tops.get(kept).map_or(self.horizon, |first| first.until);
+            while kept > group && tops.get(kept - 1).is_some_and(|last| last.until == horizon) {
+                kept -= 1;
             }
+            self.horizon = horizon;
             let end = self.slots.len();
-            move_up(self.slots, self.waiting, group, end);
-            self.waiting = end - group;
+            move_up(self.slots, self.waiting, kept, end);
+            self.waiting = end - kept;
         }
         for _ in 0..group {
             let Some(top) = self.slots.get(self.waiting).map(ActiveEdge::top) else { return };
