@@ -25,7 +25,7 @@ pub(crate) struct Table<'a, 's> {
     slots: &'s mut [ActiveEdge],
     active: usize,
     waiting: usize,
-    /// Every top above this row has started or waits; none at or below it does.
+    /// Every top above this row has started or waits. On this row the tops are looked up again.
     horizon: i32,
     is_sorted: bool,
 }
@@ -135,16 +135,12 @@ impl<'a, 's> Table<'a, 's> {
     fn start_waiting(&mut self, row: i32) {
         let tops = self.slots.get(self.waiting..).unwrap_or_default();
         let group = tops.iter().take_while(|top| top.until == row).count();
-        // A top's slot and one more become its two edges. The last tops make room, by whole rows, and are looked up again
-        // when their row comes.
+        // A top's slot and one more become its two edges. The last tops make room, and are looked up again when their row
+        // comes.
         let lacking = (self.active + group).saturating_sub(self.waiting);
         if lacking > 0 {
-            let mut kept = tops.len().saturating_sub(lacking);
-            let horizon = tops.get(kept).map_or(self.horizon, |first| first.until);
-            while kept > group && tops.get(kept - 1).is_some_and(|last| last.until == horizon) {
-                kept -= 1;
-            }
-            self.horizon = horizon;
+            let kept = tops.len().saturating_sub(lacking);
+            self.horizon = tops.get(kept).map_or(row, |first| first.until);
             let end = self.slots.len();
             move_up(self.slots, self.waiting, kept, end);
             self.waiting = end - kept;
@@ -163,7 +159,7 @@ impl<'a, 's> Table<'a, 's> {
         }
     }
 
-    /// Fills the free slots with the tops from `row` on, as many whole rows of them as fit.
+    /// Fills the free slots with the tops from `row` on, as many as fit.
     #[inline(never)]
     fn look_ahead(&mut self, row: i32) {
         let Some(free) = self.slots.get_mut(self.active..) else { return };
@@ -190,9 +186,6 @@ impl<'a, 's> Table<'a, 's> {
                 last.wait_for(latest.top());
                 sift_down(free.get_mut(..end).unwrap_or_default(), top);
             }
-        }
-        while free.get(queued.wrapping_sub(1)).is_some_and(|top| top.until >= horizon) {
-            queued -= 1;
         }
         move_up(free, 0, queued, capacity);
         self.waiting = self.slots.len() - queued;

@@ -150,7 +150,7 @@ impl<S: BlockSink> RowSink for MergeRows<'_, S> {
     #[inline(always)]
     fn span(&mut self, row: i32, columns: Range<i32>) -> Result<(), S::Error> {
         if !self.differs {
-            if row == self.rows.end && self.open.get(self.repeated) == Some(&columns) {
+            if self.open.get(self.repeated) == Some(&columns) {
                 self.repeated += 1;
                 return Ok(());
             }
