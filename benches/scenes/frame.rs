@@ -20,8 +20,8 @@ const ROWS: usize = FRAME_HEIGHT as usize;
 
 /// An RGB565 picture of 320 x 240 pixels in memory.
 ///
-/// What a firmware's own framebuffer does: solid fills go row by row through `slice::fill`, pixels through a bounds
-/// check, everything else through the trait's defaults.
+/// What a firmware's own framebuffer does: solid fills go row by row, each by `slice::fill` in pieces of eight pixels
+/// (see `fill`), pixels through a bounds check, everything else through the trait's defaults.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Frame {
     rows: [[Rgb565; COLUMNS]; ROWS],
@@ -91,8 +91,8 @@ impl Frame {
     }
 }
 
-/// `slice::fill` for rows that are mostly short: eights, and one more that ends where the row does and may overlap the
-/// last. Few jumps, and none that depends on what is left over.
+/// `slice::fill` for rows that are mostly short: one pixel by itself, else eights (below eight pixels, fours), and one
+/// more that ends where the row does and may overlap the last, in place of a loop over what is left.
 #[inline(always)]
 fn fill(row: &mut [Rgb565], colour: Rgb565) {
     if let [pixel] = row {
