@@ -19,3 +19,29 @@ impl fmt::Display for TooManyEdges {
 }
 
 impl core::error::Error for TooManyEdges {}
+
+/// The scratch is too small for an anti-aliased polygon; nothing has been drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum TooLittleScratch {
+    /// For its active edges.
+    Edges(TooManyEdges),
+    /// There is not a single cell.
+    NoCells,
+}
+
+impl fmt::Display for TooLittleScratch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Edges(error) => error.fmt(f),
+            Self::NoCells => f.write_str("an anti-aliased outline needs scratch for at least one cell, none available"),
+        }
+    }
+}
+
+impl core::error::Error for TooLittleScratch {}
+
+impl From<TooManyEdges> for TooLittleScratch {
+    fn from(error: TooManyEdges) -> Self {
+        Self::Edges(error)
+    }
+}

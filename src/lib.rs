@@ -7,7 +7,7 @@
 //! ```text
 //! Shape -clip-> Edge -one step a row-> Span, or a block of equal rows -> colour -> DrawTarget::fill_solid
 //!
-//! limits · subpixel · geometry · turn · edge · span, error · shape · draw
+//! limits · subpixel · geometry · turn · edge · span, error · coverage · shape, blend · draw
 //! ```
 //!
 //! A module uses only what stands to its left. Shapes know no colours and no targets: they push [`Span`]s or blocks
@@ -63,6 +63,8 @@
     clippy::unwrap_used
 )]
 
+mod blend;
+mod coverage;
 mod draw;
 mod edge;
 mod error;
@@ -80,17 +82,20 @@ struct Readme;
 #[cfg(test)]
 extern crate std;
 
-pub use draw::{Fill, Filled};
-pub use error::TooManyEdges;
+pub use blend::{Blend, Mix, Over, ReadBack};
+pub use coverage::{Cell, CoverageSink};
+pub use draw::{AntiAlias, AntiAliased, Fill, Filled};
+pub use error::{TooLittleScratch, TooManyEdges};
 pub use fixed::types::I24F8;
 pub use geometry::{PixelRect, Vertex};
 pub use shape::{
-    ActiveEdge, ActiveEdges, Circle, FillRule, Line, Polygon, PolygonInScratch, PolygonWithCapacity, Shape, Triangle,
+    ActiveEdge, ActiveEdges, Circle, Cover, CoverageEdge, FillRule, Line, Polygon, PolygonCoverageIn, PolygonCoverageWith, PolygonInScratch, PolygonWithCapacity, Shape,
+    Triangle,
 };
 pub use span::{BlockSink, Span, SpanSink};
 pub use turn::Turn;
 
 /// The traits that a program which draws needs in scope.
 pub mod prelude {
-    pub use crate::{Fill as _, Shape as _};
+    pub use crate::{AntiAlias as _, Cover as _, Fill as _, Shape as _};
 }

@@ -2,6 +2,7 @@
 
 mod active;
 mod circle;
+mod cover;
 mod cut_runs;
 mod line;
 mod outline;
@@ -13,6 +14,7 @@ mod waiting;
 
 pub use active::{ActiveEdge, ActiveEdges};
 pub use circle::Circle;
+pub use cover::{CoverageEdge, PolygonCoverageIn, PolygonCoverageWith};
 pub use line::Line;
 pub use outline::FillRule;
 pub use polygon::{Polygon, PolygonInScratch, PolygonWithCapacity};
@@ -20,6 +22,7 @@ pub use triangle::Triangle;
 
 use crate::{
     PixelRect,
+    coverage::CoverageSink,
     span::{BlockSink, SpanSink},
 };
 
@@ -43,4 +46,19 @@ pub trait Shape {
     ///
     /// The sink's, at once.
     fn blocks<S: BlockSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error>;
+}
+
+/// A shape that can tell how much of each pixel it covers: the exact area, rounded once, to 255ths.
+///
+/// It does not depend on the clip: drawing through the tiles of any partition gives the whole.
+pub trait Cover {
+    /// A rectangle outside which the shape covers nothing of any pixel.
+    fn touched(&self) -> PixelRect;
+
+    /// Pushes the coverage of the pixels inside `clip`.
+    ///
+    /// # Errors
+    ///
+    /// The sink's, at once.
+    fn coverage<S: CoverageSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error>;
 }

@@ -1,4 +1,4 @@
-//! Where shapes, colours and targets meet.
+//! Shapes in one colour, pixels covered or not.
 
 use core::ops::Range;
 

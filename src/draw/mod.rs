@@ -1,0 +1,7 @@
+//! Where shapes, colours and targets meet.
+
+mod antialiased;
+mod filled;
+
+pub use antialiased::{AntiAlias, AntiAliased};
+pub use filled::{Fill, Filled};
