@@ -27,7 +27,7 @@ use crate::{
 
 /// See the module. `modulus` is `D`; 0 where `D` does not fit, and the edge cannot be stepped.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Edge {
+pub struct Edge {
     pub(crate) column: i32,
     remainder: i32,
     step_columns: i32,
@@ -109,7 +109,7 @@ impl Edge {
 
 impl Descent {
     #[inline(always)]
-    fn between(top: Vertex, bottom: Vertex) -> Self {
+    pub(crate) fn between(top: Vertex, bottom: Vertex) -> Self {
         let dy = bottom.y.to_bits().wrapping_sub(top.y.to_bits()).cast_unsigned();
         Self { x0: top.x.to_bits(), x1: bottom.x.to_bits(), dy }
     }

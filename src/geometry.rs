@@ -101,6 +101,29 @@ impl PixelRect {
     }
 }
 
+/// Whether a vertex lies in the narrow zone. See `limits::NARROW_REACH`.
+#[inline(always)]
+pub(crate) fn is_narrow(vertex: Vertex) -> bool {
+    let is_in_zone = |x: i32| x.wrapping_add(NARROW_REACH).cast_unsigned() <= 2 * NARROW_REACH.cast_unsigned();
+    is_in_zone(vertex.x.to_bits()) && is_in_zone(vertex.y.to_bits())
+}
+
+/// The pixels that have anything in common with the bounding box of vertices.
+pub(crate) fn touched<'a>(vertices: impl Iterator<Item = &'a Vertex>) -> PixelRect {
+    let mut low = (i32::MAX, i32::MAX);
+    let mut high = (i32::MIN, i32::MIN);
+    for vertex in vertices {
+        let (x, y) = (vertex.x.to_bits(), vertex.y.to_bits());
+        low = (low.0.min(x), low.1.min(y));
+        high = (high.0.max(x), high.1.max(y));
+    }
+    if low.0 >= high.0 || low.1 >= high.1 {
+        return PixelRect { rows: 0..0, columns: 0..0 };
+    }
+    let pixels = |low: i32, high: i32| low >> SUBPIXEL_BITS..((high - 1) >> SUBPIXEL_BITS) + 1;
+    PixelRect { rows: pixels(low.1, high.1), columns: pixels(low.0, high.0) }
+}
+
 impl From<Rectangle> for PixelRect {
     #[inline]
     fn from(rectangle: Rectangle) -> Self {

@@ -89,8 +89,8 @@ pub use error::{TooLittleScratch, TooManyEdges};
 pub use fixed::types::I24F8;
 pub use geometry::{PixelRect, Vertex};
 pub use shape::{
-    ActiveEdge, ActiveEdges, Circle, Cover, CoverageEdge, FillRule, Line, Polygon, PolygonCoverageIn, PolygonCoverageWith, PolygonInScratch, PolygonWithCapacity, Shape,
-    Triangle,
+    ActiveEdge, ActiveEdges, Circle, Cover, CoverageEdge, FillRule, Line, Polygon, PolygonCoverageIn,
+    PolygonCoverageWith, PolygonInScratch, PolygonWithCapacity, Shape, Triangle,
 };
 pub use span::{BlockSink, Span, SpanSink};
 pub use turn::Turn;

@@ -1,5 +1,20 @@
 //! How much of each pixel a shape covers, and where that goes.
 
+mod cells;
+mod chain;
+mod convex;
+mod ramp;
+mod runs;
+mod slope;
+
+pub use cells::Cell;
+pub(crate) use cells::Cells;
+pub(crate) use chain::{Chain, WideChain};
+pub(crate) use convex::{Side, send};
+pub(crate) use ramp::{FULL, Ramp, height_of};
+pub(crate) use runs::Runs;
+pub(crate) use slope::{Slope, Steepness};
+
 use crate::span::Span;
 
 /// Receives an anti-aliased shape: how much of each pixel it covers, in 255ths.
@@ -30,13 +45,4 @@ pub trait CoverageSink {
     ///
     /// Whatever the sink cannot do; the shape stops at once.
     fn run(&mut self, row: i32, column: i32, coverage: &[u8]) -> Result<(), Self::Error>;
-}
-
-/// Scratch for one column of an anti-aliased polygon.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Cell(i32);
-
-impl Cell {
-    /// Unused scratch.
-    pub const EMPTY: Self = Self(0);
 }

@@ -4,17 +4,76 @@ use core::ops::Range;
 
 use crate::{
     Vertex,
+    coverage::Slope,
     edge::Edge,
     shape::{
-        outline::{Contours, edge_below, next_index},
+        outline::{Contours, Rows, edge_below, next_index},
         waiting::Top,
     },
 };
 
+/// What an active edge keeps of where it is.
+pub trait Track: Copy {
+    /// Of no edge.
+    const EMPTY: Self;
+    /// The rows that it is made for.
+    const ROWS: Rows;
+
+    /// The edge on `row`, which it crosses.
+    fn on_row(upper: Vertex, lower: Vertex, row: i32) -> Self;
+
+    /// Whether it belongs to the right of another.
+    fn is_right_of(&self, left: &Self) -> bool;
+
+    /// Whether it can be taken to the next row without its vertices.
+    fn can_step(&self) -> bool;
+}
+
+impl Track for Edge {
+    const EMPTY: Self = Self::EMPTY;
+    const ROWS: Rows = Rows::Pixels;
+
+    #[inline]
+    fn on_row(upper: Vertex, lower: Vertex, row: i32) -> Self {
+        Self::on_row(upper, lower, row)
+    }
+
+    #[inline(always)]
+    fn is_right_of(&self, left: &Self) -> bool {
+        self.column > left.column
+    }
+
+    #[inline(always)]
+    fn can_step(&self) -> bool {
+        self.can_step()
+    }
+}
+
+impl Track for Slope {
+    const EMPTY: Self = Self::EMPTY;
+    const ROWS: Rows = Rows::Subpixels;
+
+    #[inline]
+    fn on_row(upper: Vertex, lower: Vertex, row: i32) -> Self {
+        Self::on_line(upper, lower, row)
+    }
+
+    #[inline(always)]
+    fn is_right_of(&self, left: &Self) -> bool {
+        (self.position(), self.step()) > (left.position(), left.step())
+    }
+
+    /// Edges that cannot be are brought up to date row by row elsewhere.
+    #[inline(always)]
+    fn can_step(&self) -> bool {
+        true
+    }
+}
+
 /// Scratch for one active edge of a polygon; see [`Polygon`](crate::Polygon). 32 bytes.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct ActiveEdge {
-    pub(super) edge: Edge,
+pub struct ActiveEdge<T = Edge> {
+    pub(super) edge: T,
     /// The row it ends on; of a top that waits, the row it starts on.
     pub(super) until: i32,
     /// The vertex it ends at; of a top that waits, the one it starts at.
@@ -23,9 +82,12 @@ pub struct ActiveEdge {
     pub(super) contour: i32,
 }
 
-impl ActiveEdge {
+/// Scratch for one active edge of an anti-aliased polygon; see [`Polygon`](crate::Polygon). 32 bytes.
+pub type CoverageEdge = ActiveEdge<Slope>;
+
+impl<T: Track> ActiveEdge<T> {
     /// Unused scratch.
-    pub const EMPTY: Self = Self { edge: Edge::EMPTY, until: 0, vertex: 0, contour: 0 };
+    pub const EMPTY: Self = Self { edge: T::EMPTY, until: 0, vertex: 0, contour: 0 };
 
     /// The edge that leaves `vertex` one way, if it goes down; `row` is the vertex's.
     #[inline]
@@ -36,8 +98,9 @@ impl ActiveEdge {
         row: i32,
         rows: &Range<i32>,
     ) -> Option<Self> {
-        let (upper, lower, vertex, until) = edge_below(contour_of(contours, contour), vertex, contour >= 0, row, rows)?;
-        Some(Self { edge: Edge::on_row(upper, lower, row), until, vertex, contour })
+        let (upper, lower, vertex, until) =
+            edge_below(contour_of(contours, contour), vertex, contour >= 0, row, T::ROWS, rows)?;
+        Some(Self { edge: T::on_row(upper, lower, row), until, vertex, contour })
     }
 
     /// 1 where the contour goes down, -1 where it goes up.
@@ -65,18 +128,18 @@ pub(super) fn contour_of(contours: Contours<'_>, contour: i32) -> &[Vertex] {
 
 /// An edge too tall to be stepped, for another row.
 #[inline(never)]
-pub(super) fn remade(contour: &[Vertex], lower: u32, is_forward: bool, row: i32) -> Edge {
+pub(super) fn remade<T: Track>(contour: &[Vertex], lower: u32, is_forward: bool, row: i32) -> T {
     match (contour.get(next_index(contour, lower, !is_forward) as usize), contour.get(lower as usize)) {
-        (Some(&upper), Some(&lower)) => Edge::on_row(upper, lower, row),
-        _ => Edge::EMPTY,
+        (Some(&upper), Some(&lower)) => T::on_row(upper, lower, row),
+        _ => T::EMPTY,
     }
 }
 
 /// Owns scratch for `N` active edges; [`as_mut_slice`](Self::as_mut_slice) lends it.
 #[derive(Debug, Clone)]
-pub struct ActiveEdges<const N: usize>(heapless::Vec<ActiveEdge, N>);
+pub struct ActiveEdges<const N: usize, T = Edge>(heapless::Vec<ActiveEdge<T>, N>);
 
-impl<const N: usize> ActiveEdges<N> {
+impl<const N: usize, T: Track> ActiveEdges<N, T> {
     /// Scratch for `N` active edges.
     #[inline]
     pub fn new() -> Self {
@@ -85,12 +148,12 @@ impl<const N: usize> ActiveEdges<N> {
 
     /// All of it.
     #[inline]
-    pub fn as_mut_slice(&mut self) -> &mut [ActiveEdge] {
+    pub fn as_mut_slice(&mut self) -> &mut [ActiveEdge<T>] {
         self.0.as_mut_slice()
     }
 }
 
-impl<const N: usize> Default for ActiveEdges<N> {
+impl<const N: usize, T: Track> Default for ActiveEdges<N, T> {
     fn default() -> Self {
         Self::new()
     }

@@ -1,8 +1,12 @@
 //! The shapes: each knows its pixels, and no colour or target.
 
 mod active;
+mod bands;
 mod circle;
-mod cover;
+mod covered_circle;
+mod covered_line;
+mod covered_polygon;
+mod covered_triangle;
 mod cut_runs;
 mod line;
 mod outline;
@@ -12,9 +16,9 @@ mod table;
 mod triangle;
 mod waiting;
 
-pub use active::{ActiveEdge, ActiveEdges};
+pub use active::{ActiveEdge, ActiveEdges, CoverageEdge};
 pub use circle::Circle;
-pub use cover::{CoverageEdge, PolygonCoverageIn, PolygonCoverageWith};
+pub use covered_polygon::{PolygonCoverageIn, PolygonCoverageWith};
 pub use line::Line;
 pub use outline::FillRule;
 pub use polygon::{Polygon, PolygonInScratch, PolygonWithCapacity};

@@ -1,7 +1,7 @@
 //! An outline by rows: where its contours turn from going up to going down.
 //!
-//! Only row centres count, so a vertex stands for the first row whose centre is at or below it, kept within the rows
-//! asked for. An edge between vertices on rows `a < b` crosses the centres of rows `a..b`; one on a single row crosses
+//! Where only row centres count, a vertex stands for the first row whose centre is at or below it, kept within the rows
+//! asked for; where areas count, rows are of 1/256 pixel. An edge between vertices on rows `a < b` crosses the centres of rows `a..b`; one on a single row crosses
 //! none. What lies above the rows asked for thus becomes flat, and costs no more than a look.
 
 use core::ops::Range;
@@ -24,6 +24,26 @@ pub enum FillRule {
     NonZero,
     /// Inside where a ray from the point crosses the outline an odd number of times.
     EvenOdd,
+}
+
+impl FillRule {
+    /// What decides of a winding number: any bit of it, or whether it is odd.
+    #[inline(always)]
+    pub(crate) const fn mask(self) -> i32 {
+        match self {
+            Self::NonZero => !0,
+            Self::EvenOdd => 1,
+        }
+    }
+}
+
+/// The rows that vertices are told apart by.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Rows {
+    /// Of pixel centres: a vertex is on the first at or below it.
+    Pixels,
+    /// Of 1/256 pixel: a vertex is on its own.
+    Subpixels,
 }
 
 /// One or many closed contours.
@@ -71,9 +91,9 @@ impl<'a> Contours<'a> {
     ///
     /// Indices are of 31 and 32 bits, as scratch stores them: an outline that needs more fills 16 GB.
     #[inline]
-    pub(crate) fn for_each_top(self, rows: &Range<i32>, mut found: impl FnMut(i32, u32, i32)) {
+    pub(crate) fn for_each_top(self, kind: Rows, rows: &Range<i32>, mut found: impl FnMut(i32, u32, i32)) {
         for (index, contour) in (0..self.len()).zip(0..i32::MAX) {
-            let mut tops = Tops::new(self.contour(index), rows.start, rows.end);
+            let mut tops = Tops::new(self.contour(index), kind, rows.start, rows.end);
             while let Some((vertex, row)) = tops.next() {
                 found(contour, u32::try_from(vertex).unwrap_or(u32::MAX), row);
             }
@@ -81,16 +101,16 @@ impl<'a> Contours<'a> {
     }
 
     /// How many edges cross the row's centre.
-    const fn crossings(self, row: i32) -> usize {
+    const fn crossings(self, kind: Rows, row: i32) -> usize {
         let mut crossings = 0;
         let mut index = 0;
         while index < self.len() {
             let contour = self.contour(index);
             if let Some(last) = contour.last() {
-                let mut above = row_of(*last) <= row;
+                let mut above = row_of(*last, kind) <= row;
                 let mut vertex = 0;
                 while vertex < contour.len() {
-                    let is_above = row_of(vertex_at(contour, vertex)) <= row;
+                    let is_above = row_of(vertex_at(contour, vertex), kind) <= row;
                     crossings += (above != is_above) as usize;
                     above = is_above;
                     vertex += 1;
@@ -102,13 +122,13 @@ impl<'a> Contours<'a> {
     }
 
     /// The most edges that cross one row's centre. It is reached on a row where a contour turns down.
-    pub(crate) const fn most_crossings(self) -> usize {
+    pub(crate) const fn most_crossings(self, kind: Rows) -> usize {
         let mut most = 0;
         let mut index = 0;
         while index < self.len() {
-            let mut tops = Tops::new(self.contour(index), i32::MIN, i32::MAX);
+            let mut tops = Tops::new(self.contour(index), kind, i32::MIN, i32::MAX);
             while let Some((_, row)) = tops.next() {
-                let crossings = self.crossings(row);
+                let crossings = self.crossings(kind, row);
                 if crossings > most {
                     most = crossings;
                 }
@@ -119,11 +139,11 @@ impl<'a> Contours<'a> {
     }
 
     /// Two edges leave every top: as many as could ever be active at once.
-    pub(crate) const fn chains(self) -> usize {
+    pub(crate) const fn chains(self, kind: Rows) -> usize {
         let mut chains = 0;
         let mut index = 0;
         while index < self.len() {
-            let mut tops = Tops::new(self.contour(index), i32::MIN, i32::MAX);
+            let mut tops = Tops::new(self.contour(index), kind, i32::MIN, i32::MAX);
             while tops.next().is_some() {
                 chains += 2;
             }
@@ -133,13 +153,18 @@ impl<'a> Contours<'a> {
     }
 }
 
-const fn row_of(vertex: Vertex) -> i32 {
-    first_centre_at_or_after(vertex.y.to_bits())
+#[inline(always)]
+const fn row_of(vertex: Vertex, kind: Rows) -> i32 {
+    match kind {
+        Rows::Pixels => first_centre_at_or_after(vertex.y.to_bits()),
+        Rows::Subpixels => vertex.y.to_bits(),
+    }
 }
 
 /// Walks a contour for the vertices where it turns down, its rows kept within `first..=end`.
 struct Tops<'a> {
     contour: &'a [Vertex],
+    kind: Rows,
     first: i32,
     end: i32,
     next: usize,
@@ -150,8 +175,8 @@ struct Tops<'a> {
 
 impl<'a> Tops<'a> {
     #[inline]
-    const fn new(contour: &'a [Vertex], first: i32, end: i32) -> Self {
-        let mut tops = Self { contour, first, end, next: 0, row: 0, went_up: false };
+    const fn new(contour: &'a [Vertex], kind: Rows, first: i32, end: i32) -> Self {
+        let mut tops = Self { contour, kind, first, end, next: 0, row: 0, went_up: false };
         let Some(last) = contour.last() else { return tops };
         tops.row = tops.clamped_row(*last);
         // How the contour arrives at its last vertex: by its last edge that is not flat.
@@ -169,7 +194,7 @@ impl<'a> Tops<'a> {
 
     #[inline]
     const fn clamped_row(&self, vertex: Vertex) -> i32 {
-        let row = row_of(vertex);
+        let row = row_of(vertex, self.kind);
         if row < self.first {
             self.first
         } else if row > self.end {
@@ -222,6 +247,7 @@ pub(crate) fn edge_below(
     vertex: u32,
     is_forward: bool,
     row: i32,
+    kind: Rows,
     rows: &Range<i32>,
 ) -> Option<(Vertex, Vertex, u32, i32)> {
     let mut index = vertex;
@@ -230,7 +256,7 @@ pub(crate) fn edge_below(
     for _ in 0..contour.len() {
         index = next_index(contour, index, is_forward);
         let lower = *contour.get(index as usize)?;
-        let lower_row = row_of(lower).min(rows.end).max(rows.start);
+        let lower_row = row_of(lower, kind).min(rows.end).max(rows.start);
         if lower_row != row {
             return if lower_row > row { Some((upper, lower, index, lower_row)) } else { None };
         }

@@ -6,7 +6,7 @@ use crate::{
     PixelRect, TooManyEdges, Vertex,
     shape::{
         ActiveEdge, ActiveEdges, Shape,
-        outline::{Contours, FillRule},
+        outline::{Contours, FillRule, Rows},
         table::Table,
     },
     span::{BlockSink, EachSpan, MergeRows, RowSink, SpanSink, clip_range},
@@ -61,8 +61,8 @@ use crate::{
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Polygon<'a> {
-    contours: Contours<'a>,
-    fill_rule: FillRule,
+    pub(super) contours: Contours<'a>,
+    pub(super) fill_rule: FillRule,
 }
 
 impl<'a> Polygon<'a> {
@@ -89,13 +89,13 @@ impl<'a> Polygon<'a> {
     /// Takes a pass over the vertices for each turn from up to down: meant for constants. For outlines made while the
     /// program runs, [`active_edges_at_most`](Self::active_edges_at_most) takes one pass.
     pub const fn active_edges(&self) -> usize {
-        self.contours.most_crossings()
+        self.contours.most_crossings(Rows::Pixels)
     }
 
     /// An amount of scratch that is enough, and with which the vertices are looked over just once: two edges for each
     /// turn from up to down.
     pub const fn active_edges_at_most(&self) -> usize {
-        self.contours.chains()
+        self.contours.chains(Rows::Pixels)
     }
 
     /// Borrows scratch.
@@ -189,11 +189,7 @@ struct RowSpans<'c> {
 impl<'c> RowSpans<'c> {
     #[inline(always)]
     fn new(row: i32, fill_rule: FillRule, clip: &'c Range<i32>) -> Self {
-        let mask = match fill_rule {
-            FillRule::NonZero => !0,
-            FillRule::EvenOdd => 1,
-        };
-        Self { row, winding: 0, mask, columns: clip.start..clip.start, clip }
+        Self { row, winding: 0, mask: fill_rule.mask(), columns: clip.start..clip.start, clip }
     }
 
     #[inline(always)]

@@ -2,10 +2,13 @@
 
 use core::ops::Range;
 
-use crate::shape::{
-    active::{ActiveEdge, contour_of, remade},
-    outline::Contours,
-    waiting::{Top, move_up, sift_down, sift_up},
+use crate::{
+    edge::Edge,
+    shape::{
+        active::{ActiveEdge, Track, contour_of, remade},
+        outline::Contours,
+        waiting::{Top, move_up, sift_down, sift_up},
+    },
 };
 
 /// The table over the caller's slots.
@@ -19,10 +22,10 @@ use crate::shape::{
 /// the slots that are free at that time remember the next ones. Scratch for exactly the active edges is enough, more
 /// saves passes, and with two slots a top there is just one.
 #[derive(Debug)]
-pub(crate) struct Table<'a, 's> {
+pub(crate) struct Table<'a, 's, T> {
     contours: Contours<'a>,
     rows: &'s Range<i32>,
-    slots: &'s mut [ActiveEdge],
+    slots: &'s mut [ActiveEdge<T>],
     active: usize,
     waiting: usize,
     /// Every top above this row has started or waits. On this row the tops are looked up again.
@@ -30,9 +33,9 @@ pub(crate) struct Table<'a, 's> {
     is_sorted: bool,
 }
 
-impl<'a, 's> Table<'a, 's> {
+impl<'a, 's, T: Track> Table<'a, 's, T> {
     #[inline]
-    pub(crate) fn new(contours: Contours<'a>, rows: &'s Range<i32>, slots: &'s mut [ActiveEdge]) -> Self {
+    pub(crate) fn new(contours: Contours<'a>, rows: &'s Range<i32>, slots: &'s mut [ActiveEdge<T>]) -> Self {
         let waiting = slots.len();
         Self { contours, rows, slots, active: 0, waiting, horizon: rows.start, is_sorted: true }
     }
@@ -55,28 +58,18 @@ impl<'a, 's> Table<'a, 's> {
     }
 
     #[inline]
-    pub(crate) fn is_idle(&self) -> bool {
-        self.active == 0
+    pub(crate) fn contours(&self) -> Contours<'a> {
+        self.contours
     }
 
-    /// Hands over each active edge's column and winding, from left to right, and takes it one row down.
-    ///
-    /// On the row of the next event they must [`turn`](Self::turn) then, on the others be [`sorted`](Self::sort).
-    #[inline(always)]
-    pub(crate) fn cross_and_step<E>(&mut self, mut crossing: impl FnMut(i32, i32) -> Result<(), E>) -> Result<(), E> {
-        let mut previous = i32::MIN;
-        let mut is_sorted = true;
-        for edge in self.slots.get_mut(..self.active).unwrap_or_default() {
-            crossing(edge.edge.column, edge.winding())?;
-            edge.edge.step();
-            // Hardly ever true, so a jump is cheaper than keeping the answer.
-            if edge.edge.column < previous {
-                is_sorted = false;
-            }
-            previous = edge.edge.column;
-        }
-        self.is_sorted = is_sorted;
-        Ok(())
+    #[inline]
+    pub(crate) fn active_mut(&mut self) -> &mut [ActiveEdge<T>] {
+        self.slots.get_mut(..self.active).unwrap_or_default()
+    }
+
+    #[inline]
+    pub(crate) fn is_idle(&self) -> bool {
+        self.active == 0
     }
 
     /// Brings the edges into the order of their columns again.
@@ -88,7 +81,7 @@ impl<'a, 's> Table<'a, 's> {
     }
 
     #[inline(never)]
-    fn sort_active(&mut self) {
+    pub(crate) fn sort_active(&mut self) {
         let active = self.slots.get_mut(..self.active).unwrap_or_default();
         (1..active.len()).for_each(|place| sink_left(active, place));
     }
@@ -167,7 +160,7 @@ impl<'a, 's> Table<'a, 's> {
         let mut queued = 0;
         let mut horizon = i32::MAX;
         // A heap of the earliest tops so far, the latest of them at the root.
-        self.contours.for_each_top(self.rows, |contour, vertex, start| {
+        self.contours.for_each_top(T::ROWS, self.rows, |contour, vertex, start| {
             let top = Top { row: start, vertex, contour };
             if start < row {
             } else if queued < capacity {
@@ -193,15 +186,37 @@ impl<'a, 's> Table<'a, 's> {
     }
 }
 
+impl Table<'_, '_, Edge> {
+    /// Hands over each active edge's column and winding, from left to right, and takes it one row down.
+    ///
+    /// On the row of the next event they must [`turn`](Self::turn) then, on the others be [`sorted`](Self::sort).
+    #[inline(always)]
+    pub(crate) fn cross_and_step<E>(&mut self, mut crossing: impl FnMut(i32, i32) -> Result<(), E>) -> Result<(), E> {
+        let mut previous = i32::MIN;
+        let mut is_sorted = true;
+        for edge in self.slots.get_mut(..self.active).unwrap_or_default() {
+            crossing(edge.edge.column, edge.winding())?;
+            edge.edge.step();
+            // Hardly ever true, so a jump is cheaper than keeping the answer.
+            if edge.edge.column < previous {
+                is_sorted = false;
+            }
+            previous = edge.edge.column;
+        }
+        self.is_sorted = is_sorted;
+        Ok(())
+    }
+}
+
 /// Moves the edge at `place` to the left until the slots up to there are sorted by column, as those before it were.
 #[inline]
-fn sink_left(slots: &mut [ActiveEdge], mut place: usize) {
+fn sink_left<T: Track>(slots: &mut [ActiveEdge<T>], mut place: usize) {
     let edge = match slots.get(..=place) {
-        Some([.., left, edge]) if left.edge.column > edge.edge.column => *edge,
+        Some([.., left, edge]) if left.edge.is_right_of(&edge.edge) => *edge,
         _ => return,
     };
     while let Some([.., left, slot]) = slots.get_mut(..=place) {
-        if left.edge.column <= edge.edge.column {
+        if !left.edge.is_right_of(&edge.edge) {
             break;
         }
         *slot = *left;

@@ -1,0 +1,205 @@
+//! Anti-aliased polygon: bands through an active edge table, added up in a row of cells.
+
+use core::{cell::Cell as Shared, fmt, ops::Range};
+
+use crate::{
+    PixelRect, TooManyEdges,
+    coverage::{Cell, Cells, CoverageSink, Runs},
+    error::TooLittleScratch,
+    geometry::touched,
+    limits::ONE,
+    shape::{
+        ActiveEdges, Cover, Polygon,
+        active::{CoverageEdge, contour_of},
+        bands::add_band,
+        outline::{FillRule, Rows, next_index},
+        table::Table,
+    },
+    span::clip_range,
+    subpixel::pixel_holding,
+};
+
+impl<'a> Polygon<'a> {
+    /// How much scratch the anti-aliased outline needs: the most edges that cross one row of 1/256 pixel.
+    ///
+    /// As [`active_edges`](Self::active_edges), which counts rows of pixel centres, it is meant for constants.
+    pub const fn coverage_edges(&self) -> usize {
+        self.contours.most_crossings(Rows::Subpixels)
+    }
+
+    /// An amount of scratch that is enough, and with which the vertices are looked over just once, as
+    /// [`active_edges_at_most`](Self::active_edges_at_most).
+    pub const fn coverage_edges_at_most(&self) -> usize {
+        self.contours.chains(Rows::Subpixels)
+    }
+
+    /// Borrows scratch for anti-aliasing.
+    ///
+    /// # Errors
+    ///
+    /// When there are fewer slots than the outline has [`coverage_edges`](Self::coverage_edges), or not a single cell.
+    pub fn coverage_in<'s>(
+        self,
+        edges: &'s mut [CoverageEdge],
+        cells: &'s mut [Cell],
+    ) -> Result<PolygonCoverageIn<'a, 's>, TooLittleScratch> {
+        self.check_coverage(edges.len())?;
+        if cells.is_empty() {
+            return Err(TooLittleScratch::NoCells);
+        }
+        Ok(PolygonCoverageIn { polygon: self, edges: Shared::new(edges), cells: Shared::new(cells) })
+    }
+
+    /// Takes scratch for anti-aliasing from the stack, while drawing.
+    ///
+    /// # Errors
+    ///
+    /// When the outline has more than `EDGES` [`coverage_edges`](Self::coverage_edges).
+    pub const fn coverage_with<const EDGES: usize, const CELLS: usize>(
+        self,
+    ) -> Result<PolygonCoverageWith<'a, EDGES, CELLS>, TooManyEdges> {
+        const { assert!(CELLS > 0, "there must be a cell") };
+        match self.check_coverage(EDGES) {
+            Ok(()) => Ok(PolygonCoverageWith { polygon: self }),
+            Err(error) => Err(error),
+        }
+    }
+
+    const fn check_coverage(&self, available: usize) -> Result<(), TooManyEdges> {
+        if self.coverage_edges_at_most() <= available {
+            return Ok(());
+        }
+        let needed = self.coverage_edges();
+        if needed <= available { Ok(()) } else { Err(TooManyEdges { needed, available }) }
+    }
+
+    fn touched(&self) -> PixelRect {
+        touched((0..self.contours.len()).flat_map(|index| self.contours.contour(index)))
+    }
+
+    fn cover<S: CoverageSink>(
+        &self,
+        clip: &PixelRect,
+        edges: &mut [CoverageEdge],
+        cells: &mut [Cell],
+        sink: &mut S,
+    ) -> Result<(), S::Error> {
+        let width = i32::try_from(cells.len()).unwrap_or(i32::MAX).max(1);
+        let mut rest = clip.columns.clone();
+        if rest.end.saturating_sub(rest.start) > width {
+            rest = clip_range(&self.touched().columns, &rest);
+        }
+        while rest.start < rest.end {
+            let end = rest.start.saturating_add(width).min(rest.end);
+            self.cover_strip(&clip.rows, rest.start..end, edges, cells, sink)?;
+            rest.start = end;
+        }
+        Ok(())
+    }
+
+    /// No wider than there are cells.
+    fn cover_strip<S: CoverageSink>(
+        &self,
+        rows: &Range<i32>,
+        columns: Range<i32>,
+        edges: &mut [CoverageEdge],
+        cells: &mut [Cell],
+        sink: &mut S,
+    ) -> Result<(), S::Error> {
+        // No coordinate is beyond what saturates.
+        let rows = rows.start.saturating_mul(ONE)..rows.end.saturating_mul(ONE);
+        if rows.is_empty() {
+            return Ok(());
+        }
+        cells.fill(Cell::EMPTY);
+        let mut cells = Cells::new(cells, columns);
+        let mut runs = Runs::new(sink);
+        let mut table = Table::new(self.contours, &rows, edges);
+        let mut y = rows.start;
+        while y < rows.end {
+            table.start(y);
+            let event = if table.is_idle() {
+                table.next_start().max(y + 1).min(rows.end)
+            } else {
+                table.next_event(y + 1, rows.end)
+            };
+            while y < event {
+                let row = pixel_holding(y);
+                let row_end = (y | (ONE - 1)).saturating_add(1);
+                let bottom = row_end.min(event);
+                table.add_band(y, bottom, self.fill_rule, &mut cells);
+                y = bottom;
+                if table.is_idle() {
+                    y = event;
+                }
+                if y >= row_end {
+                    cells.sweep(row, &mut runs)?;
+                }
+            }
+            table.turn(y);
+        }
+        Ok(())
+    }
+}
+
+impl Table<'_, '_, crate::coverage::Slope> {
+    fn add_band(&mut self, y: i32, bottom: i32, fill_rule: FillRule, cells: &mut Cells<'_>) {
+        let contours = self.contours();
+        for slot in self.active_mut() {
+            if slot.edge.is_wide() {
+                let contour = contour_of(contours, slot.contour);
+                let upper = next_index(contour, slot.vertex, slot.contour < 0);
+                if let (Some(&upper), Some(&lower)) = (contour.get(upper as usize), contour.get(slot.vertex as usize)) {
+                    slot.edge.widen(upper, lower, y, bottom);
+                }
+            }
+        }
+        self.sort_active();
+        add_band(self.active_mut(), bottom - y, fill_rule, cells);
+    }
+}
+
+/// A polygon with scratch of the caller's to be anti-aliased in.
+pub struct PolygonCoverageIn<'a, 's> {
+    polygon: Polygon<'a>,
+    /// Both are taken while drawing.
+    edges: Shared<&'s mut [CoverageEdge]>,
+    cells: Shared<&'s mut [Cell]>,
+}
+
+impl fmt::Debug for PolygonCoverageIn<'_, '_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("PolygonCoverageIn").field("polygon", &self.polygon).finish_non_exhaustive()
+    }
+}
+
+impl Cover for PolygonCoverageIn<'_, '_> {
+    fn touched(&self) -> PixelRect {
+        self.polygon.touched()
+    }
+
+    fn coverage<S: CoverageSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
+        let (edges, cells) = (self.edges.take(), self.cells.take());
+        let result = self.polygon.cover(clip, edges, cells, sink);
+        self.edges.set(edges);
+        self.cells.set(cells);
+        result
+    }
+}
+
+/// A polygon that is anti-aliased in scratch on the stack, for `EDGES` active edges and a strip of `CELLS` columns.
+#[derive(Debug, Clone, Copy)]
+pub struct PolygonCoverageWith<'a, const EDGES: usize, const CELLS: usize> {
+    polygon: Polygon<'a>,
+}
+
+impl<const EDGES: usize, const CELLS: usize> Cover for PolygonCoverageWith<'_, EDGES, CELLS> {
+    fn touched(&self) -> PixelRect {
+        self.polygon.touched()
+    }
+
+    fn coverage<S: CoverageSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
+        let mut edges = ActiveEdges::<EDGES, _>::new();
+        self.polygon.cover(clip, edges.as_mut_slice(), &mut [Cell::EMPTY; CELLS], sink)
+    }
+}
