@@ -52,6 +52,7 @@ pub(crate) fn send<S: CoverageSink>(
         for _ in 0..whole {
             runs.start(rows.start);
             send_between(&left.whole_row(), &right.whole_row(), columns, &mut runs)?;
+            runs.finish()?;
             rows.start += 1;
         }
         if rows.start < rows.end {
@@ -64,7 +65,7 @@ pub(crate) fn send<S: CoverageSink>(
 
 /// Sends a row between two edges that cross all of it.
 #[inline(always)]
-fn send_between<S: CoverageSink>(
+pub(crate) fn send_between<S: CoverageSink>(
     left: &Ramp,
     right: &Ramp,
     columns: &Range<i32>,
@@ -85,7 +86,7 @@ fn send_between<S: CoverageSink>(
             runs.pixel(column, coverage_of(left.at(column).wrapping_sub(right.at(column))))?;
         }
     }
-    runs.finish()
+    Ok(())
 }
 
 /// The columns that a side's pieces in a row cross.

@@ -10,8 +10,8 @@ mod slope;
 pub use cells::Cell;
 pub(crate) use cells::Cells;
 pub(crate) use chain::{Chain, WideChain};
-pub(crate) use convex::{Side, send};
-pub(crate) use ramp::{FULL, Ramp, height_of};
+pub(crate) use convex::{Side, send, send_between};
+pub(crate) use ramp::{FULL, Ramp, column_of, height_of};
 pub(crate) use runs::Runs;
 pub(crate) use slope::{Slope, Steepness};
 

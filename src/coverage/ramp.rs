@@ -53,6 +53,10 @@ pub(crate) fn part_of(position: i64) -> u32 {
 }
 
 impl Ramp {
+    /// No edge.
+    pub(crate) const NONE: Self =
+        Self { first: 0, last: 0, height: 0, first_area: 0, last_area: 0, second_area: 0, step: 0 };
+
     /// Between the positions of an edge's ends in the row, in either order, over `height`.
     #[inline(always)]
     pub(crate) fn between(a: i64, b: i64, height: u32, steepness: Steepness) -> Self {

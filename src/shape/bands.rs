@@ -17,8 +17,11 @@
 //!
 //! A crossing is off by up to 2^-31 of the band's height. In between, two edges are in the wrong order over a strip of that height.
 
+use core::ops::Range;
+
 use crate::{
-    coverage::{Cells, FULL, Ramp, Steepness, height_of},
+    coverage::{Cells, CoverageSink, FULL, Ramp, Runs, Steepness, column_of, height_of, send_between},
+    limits::ONE,
     shape::{active::CoverageEdge, outline::FillRule},
 };
 
@@ -69,6 +72,17 @@ impl Winding {
 /// They are in order at its upper end.
 pub(super) fn add_band(edges: &mut [CoverageEdge], height: i32, fill_rule: FillRule, cells: &mut Cells<'_>) {
     let mut winding = Winding::new(fill_rule);
+    if keep_their_order(edges, height) {
+        for edge in edges {
+            let sign = winding.cross(edge.winding());
+            let (from, to) = (edge.edge.position(), edge.below_by(height));
+            edge.edge.move_to(to);
+            if sign != 0 {
+                cells.add_ramp(&edge.ramp(from, to, height_of(height)), sign);
+            }
+        }
+        return;
+    }
     let mut start = 0;
     while start < edges.len() {
         let end = block_end(edges.get(start..).unwrap_or_default(), height) + start;
@@ -89,6 +103,55 @@ pub(super) fn add_band(edges: &mut [CoverageEdge], height: i32, fill_rule: FillR
         let below = edge.below_by(height);
         edge.edge.move_to(below);
     }
+}
+
+/// Whether edges leave the band in the order they entered it in.
+#[inline(always)]
+fn keep_their_order(edges: &[CoverageEdge], height: i32) -> bool {
+    let mut before = i64::MIN;
+    edges.iter().all(|edge| {
+        let below = edge.below_by(height);
+        core::mem::replace(&mut before, below) <= below
+    })
+}
+
+/// Sends a whole row of pixels without cells, and takes the edges to its lower end, if no edges cross in it, and no two parts
+/// of the inside share a pixel.
+#[inline(always)]
+pub(super) fn send_row<S: CoverageSink>(
+    edges: &mut [CoverageEdge],
+    fill_rule: FillRule,
+    columns: &Range<i32>,
+    runs: &mut Runs<'_, S>,
+) -> Result<bool, S::Error> {
+    let mut winding = Winding::new(fill_rule);
+    let mut before = i64::MIN;
+    let mut inside_until = i32::MIN;
+    for edge in &*edges {
+        let (from, to) = (edge.edge.position(), edge.below_by(ONE));
+        if to < before {
+            return Ok(false);
+        }
+        before = to;
+        match winding.cross(edge.winding()) {
+            1 if column_of(from.min(to)) <= inside_until => return Ok(false),
+            -1 => inside_until = column_of(from.max(to)),
+            _ => {}
+        }
+    }
+    let mut left = Ramp::NONE;
+    for edge in edges {
+        let sign = winding.cross(edge.winding());
+        let (from, to) = (edge.edge.position(), edge.below_by(ONE));
+        edge.edge.move_to(to);
+        if sign > 0 {
+            left = edge.ramp(from, to, FULL);
+        } else if sign < 0 {
+            send_between(&left, &edge.ramp(from, to, FULL), columns, runs)?;
+        }
+    }
+    runs.finish()?;
+    Ok(true)
 }
 
 /// How many of the edges, from the first on, leave the band among themselves.

@@ -11,8 +11,8 @@ use crate::{
     shape::{
         ActiveEdges, Cover, Polygon,
         active::{CoverageEdge, contour_of},
-        bands::add_band,
-        outline::{FillRule, Rows, next_index},
+        bands::{add_band, send_row},
+        outline::{Rows, next_index},
         table::Table,
     },
     span::clip_range,
@@ -112,7 +112,7 @@ impl<'a> Polygon<'a> {
             return Ok(());
         }
         cells.fill(Cell::EMPTY);
-        let mut cells = Cells::new(cells, columns);
+        let mut cells = Cells::new(cells, columns.clone());
         let mut runs = Runs::new(sink);
         let mut table = Table::new(self.contours, &rows, edges);
         let mut y = rows.start;
@@ -127,7 +127,15 @@ impl<'a> Polygon<'a> {
                 let row = pixel_holding(y);
                 let row_end = (y | (ONE - 1)).saturating_add(1);
                 let bottom = row_end.min(event);
-                table.add_band(y, bottom, self.fill_rule, &mut cells);
+                table.widen(y, bottom);
+                if bottom - y == ONE {
+                    runs.start(row);
+                    if send_row(table.active_mut(), self.fill_rule, &columns, &mut runs)? {
+                        y = bottom;
+                        continue;
+                    }
+                }
+                add_band(table.active_mut(), bottom - y, self.fill_rule, &mut cells);
                 y = bottom;
                 if table.is_idle() {
                     y = event;
@@ -143,7 +151,8 @@ impl<'a> Polygon<'a> {
 }
 
 impl Table<'_, '_, crate::coverage::Slope> {
-    fn add_band(&mut self, y: i32, bottom: i32, fill_rule: FillRule, cells: &mut Cells<'_>) {
+    /// Brings edges that are not in the narrow zone up to date for a band.
+    fn widen(&mut self, y: i32, bottom: i32) {
         let contours = self.contours();
         for slot in self.active_mut() {
             if slot.edge.is_wide() {
@@ -154,8 +163,6 @@ impl Table<'_, '_, crate::coverage::Slope> {
                 }
             }
         }
-        self.sort_active();
-        add_band(self.active_mut(), bottom - y, fill_rule, cells);
     }
 }
 

@@ -1,0 +1,171 @@
+//! Rounded rectangles: rows between the ellipses of four corners.
+
+use core::ops::Range;
+
+use embedded_graphics::primitives::{CornerRadii, RoundedRectangle};
+use embedded_graphics_core::{draw_target::DrawTarget, geometry::Size, primitives::Rectangle};
+
+use crate::{Blend, Mix};
+
+use super::{
+    Blended,
+    curve::Curve,
+    layers::{draw_area, draw_layers},
+    outline::{ALONE, Chords, Outline, PAIRED, add_outline, covered, push_arc, radius},
+    paint::{Paint, Stroke},
+    pixel_box::PixelBox,
+    rows::draw_rows,
+    styled::Primitive,
+};
+
+/// A box with four corners cut off: clockwise from the top left, each with a width and a height.
+#[derive(Debug, Clone, Copy)]
+struct Rounded {
+    pixels: PixelBox,
+    radii: [(i64, i64); 4],
+}
+
+impl Rounded {
+    /// Moved out by `pixels`, or in by less than none: the radii change by as much, and then are made to fit.
+    fn new(primitive: &RoundedRectangle, pixels: i64) -> Self {
+        let CornerRadii { top_left, top_right, bottom_right, bottom_left } = primitive.corners;
+        let radii = [top_left, top_right, bottom_right, bottom_left].map(|Size { width, height }| {
+            let moved = |radius: u32| (i64::from(radius) + pixels).clamp(0, u32::MAX.into());
+            (moved(width), moved(height))
+        });
+        let Rectangle { top_left, size } = primitive.rectangle;
+        Self { pixels: PixelBox::new(top_left, size).offset(pixels), radii }.confined()
+    }
+
+    /// Where the radii of a side are together longer than it, all are scaled by what the worst side needs, rounded
+    /// down, as embedded-graphics does.
+    fn confined(mut self) -> Self {
+        let [top_left, top_right, bottom_right, bottom_left] = self.radii;
+        let PixelBox { width, height, .. } = self.pixels;
+        let sides = [
+            (top_left.0 + top_right.0, width),
+            (top_right.1 + bottom_right.1, height),
+            (bottom_left.0 + bottom_right.0, width),
+            (top_left.1 + bottom_left.1, height),
+        ];
+        let mut worst = (0, 1, 1);
+        for (radii, side) in sides {
+            if radii - side > worst.0 {
+                worst = (radii - side, radii, side);
+            }
+        }
+        let (overlap, radii, side) = worst;
+        if overlap > 0 {
+            // Exact below 2^31 pixels.
+            let fitted = |radius: i64| radius.saturating_mul(side) / radii.max(1);
+            self.radii = self.radii.map(|(x, y)| (fitted(x), fitted(y)));
+        }
+        self
+    }
+
+    fn outline<const N: usize>(&self) -> Outline<N> {
+        let mut outline = Outline::new();
+        if self.pixels.is_empty() {
+            return outline;
+        }
+        let PixelBox { left, top, width, height } = self.pixels;
+        let edges = (256 * left, 256 * top, 256 * (left + width), 256 * (top + height));
+        for (corner, (x, y)) in (0..).zip(self.radii) {
+            // Half the size of the ellipse whose quarter the corner is.
+            let radii = (radius(2 * x), radius(2 * y));
+            let chords = Chords::new(if x == 0 || y == 0 { 0 } else { radii.0.max(radii.1) }, N - 12);
+            let center = (
+                if matches!(corner, 0 | 3) { edges.0 + radii.0 } else { edges.2 - radii.0 },
+                if corner < 2 { edges.1 + radii.1 } else { edges.3 - radii.1 },
+            );
+            let quarter = chords.count() / 4;
+            // Point 0 is on the right, and the first corner begins on the left.
+            let first = (corner + 2) * quarter;
+            push_arc(&mut outline, center, radii, chords, first..=first + quarter);
+        }
+        outline
+    }
+}
+
+/// The rows of a rounded rectangle.
+struct Rows {
+    shape: Rounded,
+    corners: [Curve; 4],
+}
+
+impl Rows {
+    fn new(shape: Rounded) -> Self {
+        Self { shape, corners: shape.radii.map(|(width, height)| Curve::new(2 * width, 2 * height)) }
+    }
+
+    fn columns(&mut self, row: i64) -> Range<i64> {
+        let PixelBox { top, height, .. } = self.shape.pixels;
+        if !self.shape.pixels.has_row(row) {
+            return 0..0;
+        }
+        let columns = self.shape.pixels.columns();
+        let [top_left, top_right, bottom_right, bottom_left] = &mut self.corners;
+        let [a, b, c, d] = self.shape.radii;
+        let (above, below) = (row - top, top + height - 1 - row);
+        let left = side(above, below, (top_left, a), (bottom_left, d));
+        let right = side(above, below, (top_right, b), (bottom_right, c));
+        columns.start + left..columns.end - right
+    }
+}
+
+/// How much the corners cut off one end of a row, which has so many rows above it and below it.
+fn side(above: i64, below: i64, upper: (&mut Curve, (i64, i64)), lower: (&mut Curve, (i64, i64))) -> i64 {
+    let (rows, (curve, (width, height))) = if above < upper.1.1 {
+        (above, upper)
+    } else if below < lower.1.1 {
+        (below, lower)
+    } else {
+        return 0;
+    };
+    // The middle of the ellipse lies between two rows and columns. A corner that has no pixel on the row is not cut off
+    // there, as in embedded-graphics: it is a column or two wide, and much higher.
+    curve.reach(2 * (height - rows) - 1).map_or(0, |reach| width - (reach + 1) / 2)
+}
+
+impl Primitive for RoundedRectangle {
+    fn draw_aliased<D: DrawTarget>(&self, paint: &Paint<D::Color>, target: &mut D) -> Result<(), D::Error> {
+        let outer = Rounded::new(self, paint.sides.outside());
+        let mut outline = Rows::new(outer);
+        let mut filled = Rows::new(Rounded::new(self, -paint.sides.inside()));
+        draw_rows(&outer.pixels, paint, target, |row, parts| {
+            parts.add_ring(outline.columns(row), filled.columns(row));
+        })
+    }
+
+    fn draw_blended<D: DrawTarget, B: Blend<D> + Copy>(
+        &self,
+        paint: &Paint<D::Color>,
+        blended: &Blended<B>,
+        target: &mut D,
+    ) -> Result<(), D::Error>
+    where
+        D::Color: Mix,
+    {
+        let outer = Rounded::new(self, paint.sides.outside());
+        let inner = Rounded::new(self, -paint.sides.inside());
+        if let (Some(fill), None) = (paint.fill, paint.stroke) {
+            return match covered(&inner.outline::<ALONE>()) {
+                Ok(area) => draw_area(area, fill, blended, target),
+                Err(_) => Ok(()),
+            };
+        }
+        let (outline, filled) = (outer.outline::<PAIRED>(), inner.outline::<PAIRED>());
+        draw_layers(
+            paint,
+            blended,
+            target,
+            &outer.pixels.rectangle().into(),
+            |clip, tile| add_outline(&outline, clip, tile),
+            |clip, tile| add_outline(&filled, clip, tile),
+        )
+    }
+
+    fn styled_box(&self, stroke: &Stroke, _is_blended: bool) -> Rectangle {
+        PixelBox::new(self.rectangle.top_left, self.rectangle.size).offset(stroke.outside()).rectangle()
+    }
+}

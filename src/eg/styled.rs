@@ -1,0 +1,112 @@
+//! The traits of embedded-graphics for each of its primitives.
+
+use embedded_graphics::primitives::{
+    Arc, Circle, Ellipse, Line, Polyline, RoundedRectangle, Sector, Styled, StyledDimensions, StyledDrawable, Triangle,
+};
+use embedded_graphics_core::{draw_target::DrawTarget, pixelcolor::PixelColor, primitives::Rectangle};
+
+use crate::{Blend, Mix, Over};
+
+use super::{
+    Blended, Style,
+    paint::{Paint, Stroke},
+};
+
+/// A primitive that this crate can draw.
+pub(super) trait Primitive {
+    /// Pixels that belong or do not, in the order that suits the primitive.
+    fn draw_aliased<D: DrawTarget>(&self, paint: &Paint<D::Color>, target: &mut D) -> Result<(), D::Error>;
+
+    /// Each pixel at most once.
+    fn draw_blended<D: DrawTarget, B: Blend<D> + Copy>(
+        &self,
+        paint: &Paint<D::Color>,
+        blended: &Blended<B>,
+        target: &mut D,
+    ) -> Result<(), D::Error>
+    where
+        D::Color: Mix;
+
+    /// A rectangle outside which nothing is drawn.
+    fn styled_box(&self, stroke: &Stroke, is_blended: bool) -> Rectangle;
+}
+
+/// Draws styled primitives whose blending needs more than a `DrawTarget`: [`ReadBack`](crate::ReadBack) needs `GetPixel`.
+///
+/// # Examples
+///
+/// ```
+/// use embedded_graphics::{
+///     framebuffer::{Framebuffer, buffer_size},
+///     pixelcolor::{Rgb565, raw::LittleEndian},
+///     prelude::*,
+///     primitives::Circle,
+/// };
+/// use spanfill::{ReadBack, eg::{DrawOn, Style}};
+///
+/// let mut frame = Framebuffer::<Rgb565, _, LittleEndian, 32, 32, { buffer_size::<Rgb565>(32, 32) }>::new();
+/// let style = Style::with_fill(Rgb565::RED).antialiased(ReadBack).opacity(128);
+/// Circle::new(Point::new(4, 4), 20).into_styled(style).draw_on(&mut frame)?;
+/// assert_eq!(frame.pixel(Point::new(14, 14)), Some(Rgb565::new(16, 0, 0)));
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
+pub trait DrawOn<C, B> {
+    /// Draws on any target that the blending can use.
+    ///
+    /// # Errors
+    ///
+    /// The target's, at once.
+    fn draw_on<D: DrawTarget<Color = C>>(&self, target: &mut D) -> Result<(), D::Error>
+    where
+        B: Blend<D>;
+}
+
+macro_rules! styled {
+    ($($primitive:ty),+) => {$(
+        impl<C: PixelColor> StyledDrawable<Style<C>> for $primitive {
+            type Color = C;
+            type Output = ();
+
+            fn draw_styled<D: DrawTarget<Color = C>>(&self, style: &Style<C>, target: &mut D) -> Result<(), D::Error> {
+                self.draw_aliased(&Paint::new(style), target)
+            }
+        }
+
+        impl<C: PixelColor> StyledDimensions<Style<C>> for $primitive {
+            fn styled_bounding_box(&self, style: &Style<C>) -> Rectangle {
+                self.styled_box(&Stroke::new(style), false)
+            }
+        }
+
+        impl<C: Mix> StyledDrawable<Style<C, Blended<Over<C>>>> for $primitive {
+            type Color = C;
+            type Output = ();
+
+            fn draw_styled<D: DrawTarget<Color = C>>(
+                &self,
+                style: &Style<C, Blended<Over<C>>>,
+                target: &mut D,
+            ) -> Result<(), D::Error> {
+                self.draw_blended(&Paint::new(style), &style.edges, target)
+            }
+        }
+
+        impl<C: PixelColor, B> StyledDimensions<Style<C, Blended<B>>> for $primitive {
+            fn styled_bounding_box(&self, style: &Style<C, Blended<B>>) -> Rectangle {
+                self.styled_box(&Stroke::new(style), true)
+            }
+        }
+
+        impl<C: Mix, B: Copy> DrawOn<C, B> for Styled<$primitive, Style<C, Blended<B>>> {
+            fn draw_on<D: DrawTarget<Color = C>>(&self, target: &mut D) -> Result<(), D::Error>
+            where
+                B: Blend<D>,
+            {
+                self.primitive.draw_blended(&Paint::new(&self.style), &self.style.edges, target)
+            }
+        }
+    )+};
+}
+
+styled!(Rectangle, Circle, Ellipse, RoundedRectangle, Triangle, Line, Polyline<'_>, Arc, Sector);
+
