@@ -82,15 +82,15 @@ struct Readme;
 #[cfg(test)]
 extern crate std;
 
-pub use blend::{Blend, Mix, Over, ReadBack};
-pub use coverage::{Cell, CoverageSink};
+pub use blend::{Blend, Dither, Linear, Mix, MixLinear, Over, ReadBack};
+pub use coverage::{Cell, CoverageSink, SampleCell, Samples};
 pub use draw::{AntiAlias, AntiAliased, Fill, Filled};
 pub use error::{TooLittleScratch, TooManyEdges};
 pub use fixed::types::I24F8;
 pub use geometry::{PixelRect, Vertex};
 pub use shape::{
     ActiveEdge, ActiveEdges, Circle, Cover, CoverageEdge, FillRule, Line, Polygon, PolygonCoverageIn,
-    PolygonCoverageWith, PolygonInScratch, PolygonWithCapacity, Shape, Triangle,
+    PolygonCoverageWith, PolygonEdges, PolygonInScratch, PolygonWithCapacity, SampleEdge, Shape, SupersampledIn, Triangle,
 };
 pub use span::{BlockSink, Span, SpanSink};
 pub use turn::Turn;

@@ -6,15 +6,16 @@ use clap::{Args, Parser, Subcommand};
 
 use crate::{row::scene_from, scenes::Scene, variant::Variant};
 
-/// What spanfill costs, side by side with embedded-graphics, tiny-skia and the bare filling of the same pixels.
+/// What spanfill costs, side by side with other libraries and the bare filling of the same pixels.
 ///
 /// Without a command: checks that the variants draw what they should, times all of them in turns, and prints the
-/// processor, the compiler, the versions, a table in Markdown, and which of the project's bars are reached. It takes
-/// about half a minute, and says on stderr how far it is.
+/// processor, the compiler, the versions, tables in Markdown, without anti-aliasing and with it, and which of the
+/// project's bars are reached. It takes a few minutes, and says on stderr how far it is.
 ///
 /// Paths are relative to where you are; from the repository's root, everything that is kept is renewed by
 ///
-///   cargo run --release --manifest-path benches/Cargo.toml -- --csv --readme README.md --chart docs/speed.svg
+///   cargo run --release --manifest-path benches/Cargo.toml -- --csv --readme README.md \
+///     --chart docs/speed.svg --chart-aa docs/accuracy.svg
 #[derive(Debug, Parser)]
 #[command(name = "spanfill-benches", version, max_term_width = 110, args_conflicts_with_subcommands = true)]
 #[command(subcommand_negates_reqs = true, verbatim_doc_comment)]
@@ -49,13 +50,18 @@ pub(crate) struct Measure {
     #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true)]
     pub(crate) csv: Option<Option<PathBuf>>,
 
-    /// Replace what stands between <!-- bench:begin --> and <!-- bench:end --> in this file
+    /// Replace what stands between <!-- bench:begin --> and <!-- bench:end --> in this file, and between
+    /// <!-- bench-aa:begin --> and <!-- bench-aa:end -->
     #[arg(long, value_name = "FILE")]
     pub(crate) readme: Option<PathBuf>,
 
-    /// Draw the chart into this SVG file
+    /// Draw the chart of speed without anti-aliasing into this SVG file
     #[arg(long, value_name = "FILE.svg")]
     pub(crate) chart: Option<PathBuf>,
+
+    /// Draw the chart of speed and accuracy with anti-aliasing into this SVG file
+    #[arg(long, value_name = "FILE.svg")]
+    pub(crate) chart_aa: Option<PathBuf>,
 
     /// Exit with status 1 when a bar is not reached
     #[arg(long, conflicts_with = "instructions")]
@@ -69,18 +75,24 @@ pub(crate) enum Command {
         /// triangle-10, circle-5, ...
         #[arg(value_parser = scene_from)]
         scene: Scene,
-        /// spanfill, embedded-graphics, tiny-skia, tiny-skia-kept-path or floor
+        /// spanfill, spanfill-aa, ...
         variant: Variant,
         /// How many shapes to draw
         #[arg(long, value_name = "N", default_value_t = 1000)]
         shapes: usize,
     },
-    /// Draw the chart again from rows that were saved
-    Chart {
-        /// What --csv saved
-        #[arg(value_name = "ROWS.csv")]
-        rows: PathBuf,
-        #[arg(value_name = "CHART.svg")]
-        chart: PathBuf,
-    },
+    /// Draw the chart of speed again from rows that were saved
+    Chart(Redraw),
+    /// Draw the chart of speed and accuracy again from rows that were saved
+    ChartAa(Redraw),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Redraw {
+    /// What --csv saved
+    #[arg(value_name = "ROWS.csv")]
+    pub(crate) rows: PathBuf,
+
+    #[arg(value_name = "CHART.svg")]
+    pub(crate) chart: PathBuf,
 }

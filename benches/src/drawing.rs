@@ -2,9 +2,10 @@
 
 use std::{fmt, hint::black_box, ops::Range};
 
-use tiny_skia::Pixmap;
-
-use crate::scenes::{FRAME_HEIGHT, FRAME_WIDTH, Frame};
+use crate::{
+    picture::Picture,
+    scenes::{FRAME_HEIGHT, FRAME_WIDTH},
+};
 
 /// Pixels of the picture that every variant draws on.
 pub(crate) const PIXELS: usize = (FRAME_WIDTH * FRAME_HEIGHT) as usize;
@@ -14,42 +15,16 @@ pub(crate) trait Drawing: fmt::Debug {
     /// How many shapes there are.
     fn shapes(&self) -> usize;
 
+    /// How many shapes the library wants to be given at once: it is never timed on fewer, but at the scene's end.
+    fn batch(&self) -> usize {
+        1
+    }
+
     /// Draws these shapes. This is what is measured.
     fn draw(&mut self, shapes: Range<usize>);
 
-    /// Draws one shape on an empty picture, and tells which pixels it has.
-    fn draw_alone(&mut self, shape: usize, covered: &mut [bool; PIXELS]);
-}
-
-/// A picture that can be emptied and looked at.
-pub(crate) trait Picture: fmt::Debug {
-    fn clear(&mut self);
-    fn read(&self, covered: &mut [bool; PIXELS]);
-}
-
-impl Picture for Box<Frame> {
-    fn clear(&mut self) {
-        **self = const { Frame::new() };
-    }
-
-    fn read(&self, covered: &mut [bool; PIXELS]) {
-        let empty = const { Frame::new() }.rows()[0][0];
-        for (covered, pixel) in covered.iter_mut().zip(self.rows().as_flattened()) {
-            *covered = *pixel != empty;
-        }
-    }
-}
-
-impl Picture for Pixmap {
-    fn clear(&mut self) {
-        self.data_mut().fill(0);
-    }
-
-    fn read(&self, covered: &mut [bool; PIXELS]) {
-        for (covered, pixel) in covered.iter_mut().zip(self.pixels()) {
-            *covered = pixel.alpha() != 0;
-        }
-    }
+    /// Draws one shape on an empty picture.
+    fn draw_alone(&mut self, shape: usize) -> &dyn Picture;
 }
 
 /// A picture, shapes, and how to draw one of them.
@@ -88,9 +63,9 @@ impl<P: Picture, T, F: FnMut(&T, &mut P)> Drawing for On<P, T, F> {
         black_box(&self.picture);
     }
 
-    fn draw_alone(&mut self, shape: usize, covered: &mut [bool; PIXELS]) {
+    fn draw_alone(&mut self, shape: usize) -> &dyn Picture {
         self.picture.clear();
         (self.draw)(&self.shapes[shape], &mut self.picture);
-        self.picture.read(covered);
+        &self.picture
     }
 }

@@ -1,5 +1,7 @@
 //! What spanfill costs, side by side with its peers: `--help` tells how to ask, `benches/README.md` what is measured.
 
+mod accuracy;
+mod accuracy_chart;
 mod agreement;
 mod bars;
 mod callgrind;
@@ -7,7 +9,9 @@ mod chart;
 mod cli;
 mod drawing;
 mod environment;
+mod exact;
 mod lineup;
+mod picture;
 mod readme;
 mod row;
 #[path = "../scenes/mod.rs"]
@@ -27,7 +31,8 @@ use std::{
 use clap::Parser;
 
 use crate::{
-    cli::{Cli, Command, Measure},
+    cli::{Cli, Command, Measure, Redraw},
+    drawing::Drawing,
     environment::{Environment, TARGET},
     row::{Difference, Row, Rows, Unit, full_name},
     scenes::Scene,
@@ -40,7 +45,8 @@ fn main() -> ExitCode {
     let result = match &cli.command {
         None => measure(&cli.measure),
         Some(Command::Profile { scene, variant, shapes }) => profile(*scene, *variant, *shapes),
-        Some(Command::Chart { rows, chart }) => redraw(rows, chart),
+        Some(Command::Chart(redraw)) => redraw_as(redraw, chart::svg),
+        Some(Command::ChartAa(redraw)) => redraw_as(redraw, accuracy_chart::svg),
     };
     result.unwrap_or_else(|error| {
         eprintln!("spanfill-benches: {error}");
@@ -55,10 +61,12 @@ fn profile(scene: Scene, variant: Variant, shapes: usize) -> Outcome {
     Ok(ExitCode::SUCCESS)
 }
 
-fn redraw(rows: &Path, chart: &Path) -> Outcome {
+type Svg = Result<String, Box<dyn Error>>;
+
+fn redraw_as(Redraw { rows, chart }: &Redraw, svg: fn(&Rows) -> Svg) -> Outcome {
     let text = fs::read_to_string(rows).map_err(|error| format!("{}: {error}", rows.display()))?;
     let rows: Rows = text.parse().map_err(|error| format!("{}: {error}", rows.display()))?;
-    save(chart, &chart::svg(&rows)?)?;
+    save(chart, &svg(&rows)?)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -77,10 +85,11 @@ fn measure(args: &Measure) -> Outcome {
     let unit = if args.instructions { Unit::Instructions } else { Unit::Nanoseconds };
     let rows = Rows { unit, rows: entries };
 
-    let table = table::markdown(&rows);
+    let table = table::aliased(&rows);
+    let tables_aa = table::anti_aliased(&rows);
     // The bars are about time.
     let verdicts = if args.instructions { Vec::new() } else { bars::verdicts(&rows) };
-    let mut report = format!("{environment}\n{table}");
+    let mut report = format!("{environment}\n{table}\n{tables_aa}");
     if !verdicts.is_empty() {
         let lines: Vec<String> = verdicts.iter().map(|verdict| format!("    {verdict}\n")).collect();
         report += &format!("\n{}", lines.concat());
@@ -93,31 +102,54 @@ fn measure(args: &Measure) -> Outcome {
         save(&csv.with_extension("md"), &report)?;
     }
     if let Some(readme) = readme {
-        readme.save(&format!("{table}\n{environment}"))?;
+        readme.save(&format!("{table}\n{environment}"), &tables_aa)?;
     }
     if let Some(chart) = &args.chart {
         save(chart, &chart::svg(&rows)?)?;
+    }
+    if let Some(chart) = &args.chart_aa {
+        save(chart, &accuracy_chart::svg(&rows)?)?;
     }
     let is_failed = args.check && verdicts.iter().any(|verdict| !verdict.is_reached());
     Ok(if is_failed { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }
 
-/// Each scene by each variant that has it, not measured yet, and how much its pixels differ from spanfill's.
+/// Each scene by each variant that has it, not measured yet, and how far its pixels are from what they should be.
 fn entries(scenes: &[Scene]) -> Result<Vec<Row>, String> {
     let mut entries = Vec::new();
     for &scene in scenes {
         eprintln!("checking the pixels of {}", full_name(scene));
-        let mut reference = lineup::drawing(scene, Variant::Spanfill).expect("spanfill draws every scene");
-        for variant in Variant::ALL {
-            let Some(mut drawing) = lineup::drawing(scene, variant) else { continue };
-            let difference = agreement::difference(&mut *reference, &mut *drawing);
-            if variant == Variant::Floor && difference != Difference::default() {
-                return Err(format!("{}: the floor has other pixels than spanfill", full_name(scene)));
-            }
-            entries.push(Row { scene, variant, cost: f64::NAN, difference });
-        }
+        add_aliased(&mut entries, scene)?;
+        add_anti_aliased(&mut entries, scene)?;
     }
     Ok(entries)
+}
+
+fn add_aliased(entries: &mut Vec<Row>, scene: Scene) -> Result<(), String> {
+    let mut reference = lineup::drawing(scene, Variant::Spanfill).expect("spanfill draws every scene");
+    for variant in Variant::ALIASED {
+        let Some(mut drawing) = lineup::drawing(scene, variant) else { continue };
+        let difference = agreement::difference(&mut *reference, &mut *drawing);
+        if variant == Variant::Floor && difference != Difference::default() {
+            return Err(format!("{}: the floor has other pixels than spanfill", full_name(scene)));
+        }
+        entries.push(Row { scene, variant, cost: f64::NAN, difference });
+    }
+    Ok(())
+}
+
+fn add_anti_aliased(entries: &mut Vec<Row>, scene: Scene) -> Result<(), String> {
+    let (variants, mut drawings): (Vec<Variant>, Vec<Box<dyn Drawing>>) = Variant::ANTI_ALIASED
+        .into_iter()
+        .filter_map(|variant| Some((variant, lineup::judged(scene, variant)?)))
+        .unzip();
+    let errors = accuracy::errors(scene, &mut drawings);
+    for (variant, difference) in variants.into_iter().zip(errors) {
+        lineup::check_frames(scene, variant, accuracy::COMPARED)
+            .map_err(|error| format!("{}: {error}", full_name(scene)))?;
+        entries.push(Row { scene, variant, cost: f64::NAN, difference });
+    }
+    Ok(())
 }
 
 fn time(entries: &mut [Row], rounds: u32, turn: Duration) {
@@ -136,12 +168,18 @@ fn time(entries: &mut [Row], rounds: u32, turn: Duration) {
 }
 
 /// How many shapes are drawn under valgrind, which takes some fifty times as long.
-const COUNTED_SHAPES: usize = 1000;
+const fn counted_shapes(scene: Scene) -> usize {
+    match scene {
+        Scene::Triangles(_) | Scene::Circles(_) | Scene::Lines(_) => 1000,
+        // Always the same one.
+        Scene::Star | Scene::Concave64 => 2 * lineup::COPIES,
+    }
+}
 
 fn count_instructions(entries: &mut [Row]) -> Result<(), String> {
     for row in entries {
         eprintln!("counting {} by {}", full_name(row.scene), row.variant);
-        row.cost = callgrind::instructions(row.scene, row.variant, COUNTED_SHAPES)?;
+        row.cost = callgrind::instructions(row.scene, row.variant, counted_shapes(row.scene))?;
     }
     Ok(())
 }
@@ -164,12 +202,20 @@ struct Readme<'a> {
 impl<'a> Readme<'a> {
     fn read(path: &'a Path) -> Result<Self, String> {
         let text = fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
-        readme::with_figures(&text, "").map_err(|error| format!("{}: {error}", path.display()))?;
-        Ok(Self { path, text })
+        let readme = Self { path, text };
+        readme.with_figures("", "")?;
+        Ok(readme)
     }
 
-    fn save(self, figures: &str) -> Result<(), String> {
-        save(self.path, &readme::with_figures(&self.text, figures)?)
+    fn with_figures(&self, aliased: &str, anti_aliased: &str) -> Result<String, String> {
+        readme::ALIASED
+            .replace(&self.text, aliased)
+            .and_then(|text| readme::ANTI_ALIASED.replace(&text, anti_aliased))
+            .map_err(|error| format!("{}: {error}", self.path.display()))
+    }
+
+    fn save(self, aliased: &str, anti_aliased: &str) -> Result<(), String> {
+        save(self.path, &self.with_figures(aliased, anti_aliased)?)
     }
 }
 

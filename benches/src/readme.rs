@@ -1,17 +1,30 @@
 //! Keeps a README's figures those of a run.
 
-const BEGIN: &str = "<!-- bench:begin -->";
-const END: &str = "<!-- bench:end -->";
+/// Two lines of a README, each of which is there once, and what stands between them is replaced.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Markers {
+    begin: &'static str,
+    end: &'static str,
+}
 
-/// The text with `figures` in place of what stands between the two markers, each of which is there once.
-pub(crate) fn with_figures(readme: &str, figures: &str) -> Result<String, String> {
-    let missing = || format!("needs one line {BEGIN} and, below, one line {END}");
-    let (before, rest) = readme.split_once(BEGIN).ok_or_else(missing)?;
-    let (old, after) = rest.split_once(END).ok_or_else(missing)?;
-    if [before, old, after].iter().any(|part| part.contains(BEGIN) || part.contains(END)) {
-        return Err(missing());
+/// Around the table without anti-aliasing.
+pub(crate) const ALIASED: Markers = Markers { begin: "<!-- bench:begin -->", end: "<!-- bench:end -->" };
+
+/// Around the tables with it.
+pub(crate) const ANTI_ALIASED: Markers = Markers { begin: "<!-- bench-aa:begin -->", end: "<!-- bench-aa:end -->" };
+
+impl Markers {
+    /// The text with `figures` between the markers.
+    pub(crate) fn replace(self, readme: &str, figures: &str) -> Result<String, String> {
+        let Self { begin, end } = self;
+        let missing = || format!("needs one line {begin} and, below, one line {end}");
+        let (before, rest) = readme.split_once(begin).ok_or_else(missing)?;
+        let (old, after) = rest.split_once(end).ok_or_else(missing)?;
+        if [before, old, after].iter().any(|part| part.contains(begin) || part.contains(end)) {
+            return Err(missing());
+        }
+        Ok(format!("{before}{begin}\n\n{}\n\n{end}{after}", figures.trim()))
     }
-    Ok(format!("{before}{BEGIN}\n\n{}\n\n{END}{after}", figures.trim()))
 }
 
 #[cfg(test)]
@@ -20,16 +33,21 @@ mod tests {
 
     #[test]
     fn only_what_is_between_the_markers_changes() {
-        let readme = format!("above\n{BEGIN}\nold\n{END}\nbelow\n");
-        let expected = format!("above\n{BEGIN}\n\nnew\n\n{END}\nbelow\n");
-        assert_eq!(with_figures(&readme, "new\n"), Ok(expected.clone()));
-        assert_eq!(with_figures(&expected, "new"), Ok(expected));
+        for markers in [ALIASED, ANTI_ALIASED] {
+            let Markers { begin, end } = markers;
+            let readme = format!("above\n{begin}\nold\n{end}\nbelow\n");
+            let expected = format!("above\n{begin}\n\nnew\n\n{end}\nbelow\n");
+            assert_eq!(markers.replace(&readme, "new\n"), Ok(expected.clone()));
+            assert_eq!(markers.replace(&expected, "new"), Ok(expected));
+        }
     }
 
     #[test]
     fn markers_that_are_missing_or_in_disorder_are_an_error() {
-        for readme in ["", BEGIN, END, &format!("{END}{BEGIN}"), &format!("{BEGIN}{BEGIN}{END}")] {
-            assert!(with_figures(readme, "new").is_err(), "{readme}");
+        let Markers { begin, end } = ALIASED;
+        for readme in ["", begin, end, &format!("{end}{begin}"), &format!("{begin}{begin}{end}")] {
+            assert!(ALIASED.replace(readme, "new").is_err(), "{readme}");
         }
+        assert!(ANTI_ALIASED.replace(&format!("{begin}{end}"), "new").is_err());
     }
 }

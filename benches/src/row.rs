@@ -21,13 +21,16 @@ impl Unit {
     }
 }
 
-/// How far a variant's pixels are from those of spanfill, which its tests hold to the exact rule.
+/// How far a variant's pixels are from what they should be.
+///
+/// Without anti-aliasing, from those of spanfill, which its tests hold to the exact rule: see
+/// [`agreement`](crate::agreement). With it, from the exact areas: see [`accuracy`](crate::accuracy).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Difference {
-    /// The most pixels that differ in one shape.
-    pub(crate) most_in_a_shape: usize,
-    /// The pixels that differ, per thousand that spanfill draws.
-    pub(crate) per_thousand: f64,
+    /// The most pixels that differ in one shape; or the largest error of a pixel, in 255ths.
+    pub(crate) max: f64,
+    /// The pixels that differ, per thousand that spanfill draws; or the mean error of those covered in part, in 255ths.
+    pub(crate) mean: f64,
 }
 
 /// A variant measured on a scene.
@@ -67,9 +70,11 @@ impl Rows {
 impl fmt::Display for Rows {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "scene,variant,target,px,{},max_err,mean_err", self.unit.column())?;
-        for Row { scene, variant, cost, difference: Difference { most_in_a_shape, per_thousand } } in &self.rows {
+        for Row { scene, variant, cost, difference: Difference { max, mean } } in &self.rows {
             let (name, px) = (scene.name(), scene.size_px());
-            writeln!(f, "{name},{variant},{TARGET},{px},{cost:.1},{most_in_a_shape},{per_thousand:.2}")?;
+            // Whole numbers stay whole.
+            let max = (max * 100.0).round() / 100.0;
+            writeln!(f, "{name},{variant},{TARGET},{px},{cost:.1},{max},{mean:.2}")?;
         }
         Ok(())
     }
@@ -95,14 +100,14 @@ impl FromStr for Rows {
 
 fn row_from(line: &str) -> Result<Row, String> {
     let fields: Vec<&str> = line.split(',').collect();
-    let [scene, variant, _target, px, cost, most_in_a_shape, per_thousand] = fields[..] else {
+    let [scene, variant, _target, px, cost, max, mean] = fields[..] else {
         return Err(format!("{} fields in place of 7", fields.len()));
     };
     Ok(Row {
         scene: scene_from(&format!("{scene}-{px}"))?,
         variant: variant.parse()?,
         cost: number(cost)?,
-        difference: Difference { most_in_a_shape: number(most_in_a_shape)?, per_thousand: number(per_thousand)? },
+        difference: Difference { max: number(max)?, mean: number(mean)? },
     })
 }
 
@@ -129,17 +134,13 @@ mod tests {
 
     #[test]
     fn csv_reads_back_as_it_was_written() {
-        let row = |scene, variant, cost| Row {
-            scene,
-            variant,
-            cost,
-            difference: Difference { most_in_a_shape: 3, per_thousand: 1.25 },
-        };
+        let row = |scene, variant, cost| Row { scene, variant, cost, difference: Difference { max: 3.0, mean: 1.25 } };
         let rows = Rows {
             unit: Unit::Nanoseconds,
             rows: vec![
                 row(Scene::Triangles(10), Variant::Spanfill, 100.5),
                 row(Scene::Concave64, Variant::TinySkiaKeptPath, 2000.0),
+                row(Scene::Star, Variant::AntiAliasedOver, 3000.0),
             ],
         };
         assert_eq!(rows.to_string().parse(), Ok(rows));

@@ -8,24 +8,40 @@ use crate::{
     variant::Variant,
 };
 
-use Variant::{EmbeddedGraphics, Floor, Spanfill, TinySkia, TinySkiaKeptPath};
+use Variant::{
+    AbGlyph, Aliased, AntiAliased, AntiAliasedOver, BlendFloor, EmbeddedGraphics, Floor, Mask, Spanfill, TinySkia,
+    TinySkiaAntiAliased, TinySkiaKeptPath, Vello, VelloAlone, Zeno,
+};
 
-/// What every scene costs, and by which factor; an empty field where a library has no such shape.
-pub(crate) fn markdown(rows: &Rows) -> String {
+/// What every scene costs without anti-aliasing, and by which factor; an empty field where a library has no such shape.
+pub(crate) fn aliased(rows: &Rows) -> String {
+    written(|table| write_aliased(table, rows))
+}
+
+/// What every scene costs with anti-aliasing, and by which factor; then the errors.
+pub(crate) fn anti_aliased(rows: &Rows) -> String {
+    written(|table| write_anti_aliased(table, rows).and_then(|()| write_errors(table, rows)))
+}
+
+fn written(write: impl Fn(&mut String) -> fmt::Result) -> String {
     let mut table = String::new();
-    write_table(&mut table, rows).expect("a string takes everything");
+    write(&mut table).expect("a string takes everything");
     table
 }
 
-fn write_table(table: &mut String, rows: &Rows) -> fmt::Result {
-    let unit = match rows.unit {
+fn unit(rows: &Rows) -> &'static str {
+    match rows.unit {
         Unit::Nanoseconds => "ns",
         Unit::Instructions => "instructions",
-    };
+    }
+}
+
+fn write_aliased(table: &mut String, rows: &Rows) -> fmt::Result {
     writeln!(
         table,
-        "| a shape, {unit} | floor | spanfill | embedded-graphics | tiny-skia | tiny-skia, path kept | spanfill / floor \
-         | embedded-graphics / spanfill | tiny-skia / spanfill | other pixels per 1000: embedded-graphics, tiny-skia |"
+        "| a shape, {} | floor | spanfill | embedded-graphics | tiny-skia | tiny-skia, path kept | spanfill / floor \
+         | embedded-graphics / spanfill | tiny-skia / spanfill | other pixels per 1000: embedded-graphics, tiny-skia |",
+        unit(rows)
     )?;
     writeln!(table, "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|")?;
     for scene in rows.scenes() {
@@ -37,10 +53,64 @@ fn write_table(table: &mut String, rows: &Rows) -> fmt::Result {
         write_field(table, rows.ratio(scene, EmbeddedGraphics, Spanfill), 1)?;
         write_field(table, rows.ratio(scene, TinySkia, Spanfill), 1)?;
         let differing = |variant| match rows.get(scene, variant) {
-            Some(row) => format!("{:.1}", row.difference.per_thousand),
+            Some(row) => format!("{:.1}", row.difference.mean),
             None => "-".to_owned(),
         };
         writeln!(table, " {}, {} |", differing(EmbeddedGraphics), differing(TinySkia))?;
+    }
+    Ok(())
+}
+
+fn write_anti_aliased(table: &mut String, rows: &Rows) -> fmt::Result {
+    writeln!(
+        table,
+        "| a shape, {} | aliased | blend floor | spanfill | spanfill, `Over` | tiny-skia | vello_cpu \
+         | vello_cpu, one by one | masks: spanfill | zeno | ab_glyph | spanfill / aliased | spanfill / vello_cpu \
+         | spanfill / vello_cpu, one by one | tiny-skia / spanfill |",
+        unit(rows)
+    )?;
+    writeln!(table, "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|")?;
+    for scene in rows.scenes() {
+        write!(table, "| {} |", title(scene))?;
+        for variant in [
+            Aliased,
+            BlendFloor,
+            AntiAliased,
+            AntiAliasedOver,
+            TinySkiaAntiAliased,
+            Vello,
+            VelloAlone,
+            Mask,
+            Zeno,
+            AbGlyph,
+        ] {
+            write_field(table, rows.get(scene, variant).map(|row| row.cost), 0)?;
+        }
+        write_field(table, rows.ratio(scene, AntiAliased, Aliased), 2)?;
+        write_field(table, rows.ratio(scene, AntiAliased, Vello), 2)?;
+        write_field(table, rows.ratio(scene, AntiAliased, VelloAlone), 2)?;
+        write_field(table, rows.ratio(scene, TinySkiaAntiAliased, AntiAliased), 1)?;
+        writeln!(table)?;
+    }
+    writeln!(table)
+}
+
+fn write_errors(table: &mut String, rows: &Rows) -> fmt::Result {
+    let variants = [Aliased, AntiAliased, TinySkiaAntiAliased, Vello, Zeno, AbGlyph];
+    writeln!(
+        table,
+        "| largest, mean error in 255ths | aliased | spanfill | tiny-skia | vello_cpu | zeno | ab_glyph |"
+    )?;
+    writeln!(table, "|---|{}", "--:|".repeat(variants.len()))?;
+    for scene in rows.scenes() {
+        write!(table, "| {} |", title(scene))?;
+        for variant in variants {
+            match rows.get(scene, variant) {
+                Some(row) => write!(table, " {:.2}, {:.2} |", row.difference.max, row.difference.mean)?,
+                None => write!(table, " |")?,
+            }
+        }
+        writeln!(table)?;
     }
     Ok(())
 }

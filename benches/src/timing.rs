@@ -21,7 +21,7 @@ pub(crate) struct Turns {
     parts: Vec<Part>,
 }
 
-/// Shapes that are timed together.
+/// Shapes that are timed together: whole batches, of a library that wants them.
 #[derive(Debug)]
 struct Part {
     shapes: Range<usize>,
@@ -40,6 +40,7 @@ impl Turns {
         let turns_a_pass = pass / turn.as_secs_f64().max(1e-9);
         // The casts round towards zero, and saturate.
         let part = (shapes as f64 / turns_a_pass).ceil().clamp(1.0, shapes as f64) as usize;
+        let part = part.next_multiple_of(drawing.batch());
         let passes = (1.0 / turns_a_pass).ceil().max(1.0) as u32;
         let starts = (0..shapes).step_by(part);
         let parts =

@@ -15,12 +15,51 @@ pub(crate) enum Variant {
     TinySkiaKeptPath,
     /// The rectangles that spanfill sends, recorded, and sent again by themselves.
     Floor,
+
+    /// spanfill without anti-aliasing, among those that have it: the quickest and the least accurate.
+    Aliased,
+    /// Exact coverage, blended over what the frame shows.
+    AntiAliased,
+    /// Exact coverage, blended over a background that is known.
+    AntiAliasedOver,
+    /// Exact coverage, into a mask, as [`Variant::Zeno`] and [`Variant::AbGlyph`] have it.
+    Mask,
+    /// The spans and runs that spanfill sends, recorded, and blended again by themselves.
+    BlendFloor,
+    /// tiny-skia with anti-aliasing.
+    TinySkiaAntiAliased,
+    /// vello_cpu, hundreds of shapes in each picture that it renders: its best.
+    Vello,
+    /// vello_cpu, each shape rendered by itself onto what the picture shows.
+    VelloAlone,
+    /// zeno, into a mask.
+    Zeno,
+    /// ab_glyph_rasterizer, into a mask.
+    AbGlyph,
 }
 
 impl Variant {
-    /// In the order of the tables.
-    pub(crate) const ALL: [Self; 5] =
+    /// Those that set pixels or leave them, in the order of the tables.
+    pub(crate) const ALIASED: [Self; 5] =
         [Self::Spanfill, Self::EmbeddedGraphics, Self::TinySkia, Self::TinySkiaKeptPath, Self::Floor];
+
+    /// Those that are held to the exact area, in the order of the tables.
+    pub(crate) const ANTI_ALIASED: [Self; 10] = [
+        Self::Aliased,
+        Self::AntiAliased,
+        Self::AntiAliasedOver,
+        Self::Mask,
+        Self::BlendFloor,
+        Self::TinySkiaAntiAliased,
+        Self::Vello,
+        Self::VelloAlone,
+        Self::Zeno,
+        Self::AbGlyph,
+    ];
+
+    fn all() -> impl Iterator<Item = Self> {
+        Self::ALIASED.into_iter().chain(Self::ANTI_ALIASED)
+    }
 
     /// Its name in tables, CSV rows and on the command line.
     pub(crate) const fn name(self) -> &'static str {
@@ -30,6 +69,16 @@ impl Variant {
             Self::TinySkia => "tiny-skia",
             Self::TinySkiaKeptPath => "tiny-skia-kept-path",
             Self::Floor => "floor",
+            Self::Aliased => "spanfill-aliased",
+            Self::AntiAliased => "spanfill-aa",
+            Self::AntiAliasedOver => "spanfill-aa-over",
+            Self::Mask => "spanfill-mask",
+            Self::BlendFloor => "blend-floor",
+            Self::TinySkiaAntiAliased => "tiny-skia-aa",
+            Self::Vello => "vello-cpu",
+            Self::VelloAlone => "vello-cpu-alone",
+            Self::Zeno => "zeno-mask",
+            Self::AbGlyph => "ab-glyph-mask",
         }
     }
 }
@@ -44,9 +93,10 @@ impl FromStr for Variant {
     type Err = String;
 
     fn from_str(name: &str) -> Result<Self, String> {
-        Self::ALL
-            .into_iter()
-            .find(|variant| variant.name() == name)
-            .ok_or_else(|| format!("no variant is called that; there are {}", Self::ALL.map(Self::name).join(", ")))
+        let named = Self::all().find(|variant| variant.name() == name);
+        named.ok_or_else(|| {
+            let names: Vec<&str> = Self::all().map(Self::name).collect();
+            format!("no variant is called that; there are {}", names.join(", "))
+        })
     }
 }

@@ -1,5 +1,7 @@
 //! What each shape costs a Cortex-M4, in instructions: spanfill, embedded-graphics 0.8, and the bare `fill_solid` calls
-//! of the rectangles that spanfill sends, which is the least that any rasterizer on the same target could cost.
+//! of the rectangles that spanfill sends, which is the least that any rasterizer on the same target could cost. And
+//! what it costs spanfill with anti-aliased edges, blended over what the target shows, or over a background that is
+//! known.
 //!
 //! `examples/firmware/run.sh cycles` builds it and runs it in QEMU's `mps2-an386` under `-icount shift=0`, where every
 //! instruction takes the same time: the counts are the same in each run, on any host. They are instructions, not
@@ -30,22 +32,33 @@ use embedded_graphics::{
     primitives::{self as eg, PrimitiveStyle, Rectangle},
 };
 use panic_semihosting as _;
-use spanfill::{Circle, Fill, Line, Polygon, Triangle, Vertex};
+use spanfill::{AntiAlias, Blend, Circle, Cover, Fill, Line, Over, Polygon, ReadBack, Triangle, Vertex};
 
 use instruction_counter::InstructionCounter;
-use scenes::{CONCAVE_64, Frame, PixelPoint, RecordBlocks, STAR, Scene, SubpixelPoint, circles, lines, triangles};
+use scenes::{
+    CONCAVE_64, FRAME_WIDTH, Frame, PixelPoint, RecordBlocks, STAR, Scene, SubpixelPoint, circles, lines, triangles,
+};
 
-/// How many shapes are drawn between two readings of the timer. The costliest row takes 70 million instructions, a
-/// tenth of what the timer can count; the cheapest is exact to an instruction.
+/// How many shapes are drawn between two readings of the timer. The costliest take 70 million instructions, a tenth of
+/// what the timer can count; the cheapest are exact to an instruction.
 const SHAPES: usize = 256;
 
-/// The same for polygons, which take longer.
+/// The same for anti-aliased shapes, which take longer.
+const ANTI_ALIASED_SHAPES: usize = 64;
+
+/// The same for polygons, which take still longer.
 const POLYGONS: usize = 16;
 
 /// Room for the rectangles of so many shapes: 200 a shape, 3200 a polygon.
 const BLOCKS: usize = SHAPES * 200;
 
 const COLOUR: Rgb565 = Rgb565::CSS_ORANGE;
+
+/// What the anti-aliased shapes are blended over when it is not read from the frame.
+const BACKGROUND: Rgb565 = Rgb565::BLACK;
+
+/// Anti-aliased polygons have a cell for each column: one pass does for all of them.
+const CELLS: usize = FRAME_WIDTH as usize;
 
 const STAR_VERTICES: [Vertex; STAR.len()] = vertices(STAR);
 const STAR_POLYGON: Polygon<'static> = Polygon::new(&STAR_VERTICES);
@@ -84,6 +97,8 @@ struct Cost {
     embedded_graphics: Option<u32>,
     spanfill: u32,
     bare_fill: u32,
+    anti_aliased: u32,
+    anti_aliased_over: u32,
 }
 
 struct Bench {
@@ -101,7 +116,7 @@ impl Bench {
                 let shapes = triangles(box_px).map(|vertices| vertices.map(pixel));
                 let theirs = shapes.map(|[a, b, c]| eg::Triangle::new(a, b, c).into_styled(filled));
                 let shapes = triangles(box_px).map(|vertices| vertices.map(pixel));
-                let ours = shapes.map(|[a, b, c]| Triangle::new(a, b, c).filled(COLOUR));
+                let ours = shapes.map(|[a, b, c]| Triangle::new(a, b, c));
                 self.compare(theirs, ours)
             }
             Scene::Circles(radius_px) => {
@@ -109,7 +124,7 @@ impl Bench {
                     let top_left = Point::new(x - radius_px, y - radius_px);
                     eg::Circle::new(top_left, 2 * radius_px.unsigned_abs()).into_styled(filled)
                 });
-                let ours = circles(radius_px).map(|[x, y]| Circle::new(Vertex::new(x, y), radius_px).filled(COLOUR));
+                let ours = circles(radius_px).map(|[x, y]| Circle::new(Vertex::new(x, y), radius_px));
                 self.compare(theirs, ours)
             }
             Scene::Lines(box_px) => {
@@ -117,40 +132,56 @@ impl Bench {
                 let ends = lines(box_px).map(|ends| ends.map(pixel));
                 let theirs = ends.map(|[start, end]| eg::Line::new(start, end).into_styled(thin));
                 let ends = lines(box_px).map(|ends| ends.map(pixel));
-                let ours = ends.map(|[start, end]| Line::new(start, end).filled(COLOUR));
+                let ours = ends.map(|[start, end]| Line::new(start, end));
                 self.compare(theirs, ours)
             }
             Scene::Star => {
-                let star = STAR_POLYGON.with_capacity::<{ STAR_POLYGON.active_edges() }>();
-                let star = star.expect("the capacity is what it needs");
-                self.polygon(|| star.filled(COLOUR))
+                let filled = STAR_POLYGON.with_capacity::<{ STAR_POLYGON.active_edges() }>();
+                let covered = STAR_POLYGON.coverage_with::<{ STAR_POLYGON.coverage_edges() }, CELLS>();
+                let (filled, covered) = (filled.expect("it has what it needs"), covered.expect("it has what it needs"));
+                self.polygon(|| filled.filled(COLOUR), || covered)
             }
             Scene::Concave64 => {
-                let concave = CONCAVE_64_POLYGON.with_capacity::<{ CONCAVE_64_POLYGON.active_edges() }>();
-                let concave = concave.expect("the capacity is what it needs");
-                self.polygon(|| concave.filled(COLOUR))
+                let filled = CONCAVE_64_POLYGON.with_capacity::<{ CONCAVE_64_POLYGON.active_edges() }>();
+                let covered = CONCAVE_64_POLYGON.coverage_with::<{ CONCAVE_64_POLYGON.coverage_edges() }, CELLS>();
+                let (filled, covered) = (filled.expect("it has what it needs"), covered.expect("it has what it needs"));
+                self.polygon(|| filled.filled(COLOUR), || covered)
             }
         }
     }
 
-    fn compare(
+    fn compare<S: Copy + Fill + Cover>(
         &mut self,
         theirs: impl Iterator<Item = impl Drawable<Color = Rgb565>>,
-        ours: impl Iterator<Item = impl Drawable<Color = Rgb565>>,
+        ours: impl Iterator<Item = S>,
     ) -> Cost {
         let theirs: [_; SHAPES] = take(theirs);
-        let ours: [_; SHAPES] = take(ours);
+        let ours: [S; SHAPES] = take(ours);
         Cost {
             embedded_graphics: Some(self.draw(&theirs)),
-            spanfill: self.draw(&ours),
-            bare_fill: self.fill_blocks_of(&ours),
+            ..self.ours(&ours.map(|shape| shape.filled(COLOUR)), &ours)
         }
     }
 
     /// Draws one polygon time and again.
-    fn polygon<D: Drawable<Color = Rgb565>>(&mut self, shape: impl Fn() -> D) -> Cost {
-        let ours: [_; POLYGONS] = take(iter::repeat_with(shape));
-        Cost { embedded_graphics: None, spanfill: self.draw(&ours), bare_fill: self.fill_blocks_of(&ours) }
+    fn polygon<D: Drawable<Color = Rgb565>, S: Copy + Cover>(
+        &mut self,
+        filled: impl Fn() -> D,
+        covered: impl Fn() -> S,
+    ) -> Cost {
+        let filled: [_; POLYGONS] = take(iter::repeat_with(filled));
+        let covered: [_; POLYGONS] = take(iter::repeat_with(covered));
+        self.ours(&filled, &covered)
+    }
+
+    fn ours<S: Copy + Cover>(&mut self, filled: &[impl Drawable<Color = Rgb565>], covered: &[S]) -> Cost {
+        Cost {
+            embedded_graphics: None,
+            spanfill: self.draw(filled),
+            bare_fill: self.fill_blocks_of(filled),
+            anti_aliased: self.draw_anti_aliased(covered, ReadBack),
+            anti_aliased_over: self.draw_anti_aliased(covered, Over(BACKGROUND)),
+        }
     }
 
     /// Draws the shapes: the instructions that it takes, a shape.
@@ -159,6 +190,21 @@ impl Bench {
             let Ok(_) = shape.draw(self.frame);
         });
         instructions / shapes.len() as u32
+    }
+
+    /// Draws the shapes with anti-aliased edges: the instructions that it takes, a shape.
+    fn draw_anti_aliased<S, B>(&mut self, shapes: &[S], blend: B) -> u32
+    where
+        S: Copy + Cover,
+        B: Copy + Blend<Frame>,
+    {
+        let counts = shapes.chunks(ANTI_ALIASED_SHAPES).map(|shapes| {
+            let instructions = self.counter.count(shapes, |shape| {
+                let Ok(()) = shape.antialiased(COLOUR, blend).draw_on(self.frame);
+            });
+            u64::from(instructions)
+        });
+        (counts.sum::<u64>() / shapes.len() as u64) as u32
     }
 
     /// Fills the rectangles that the shapes send, shape by shape: the instructions that it takes, a shape.
@@ -180,8 +226,9 @@ type Row = (Scene, Cost);
 fn print_table(host: &mut HostStream, rows: &[Row]) -> fmt::Result {
     writeln!(
         host,
-        "| shape | embedded-graphics | spanfill | bare `fill_solid` | embedded-graphics / spanfill | spanfill / bare |\n\
-         |---|--:|--:|--:|--:|--:|"
+        "| shape | embedded-graphics | spanfill | bare `fill_solid` | embedded-graphics / spanfill | spanfill / bare \
+         | anti-aliased | anti-aliased, `Over` | anti-aliased / aliased |\n\
+         |---|--:|--:|--:|--:|--:|--:|--:|--:|"
     )?;
     for (scene, cost) in rows {
         write!(host, "| {}, {} {} px | ", scene.name(), scene.size_name(), scene.size_px())?;
@@ -194,6 +241,8 @@ fn print_table(host: &mut HostStream, rows: &[Row]) -> fmt::Result {
         }
         write!(host, " | ")?;
         write_ratio(host, cost.spanfill, cost.bare_fill)?;
+        write!(host, " | {} | {} | ", cost.anti_aliased, cost.anti_aliased_over)?;
+        write_ratio(host, cost.anti_aliased, cost.spanfill)?;
         writeln!(host, " |")?;
     }
     Ok(())
@@ -217,6 +266,8 @@ fn print_csv(host: &mut HostStream, rows: &[Row]) -> fmt::Result {
         }
         row("spanfill", cost.spanfill)?;
         row("bare-fill-solid", cost.bare_fill)?;
+        row("spanfill-aa", cost.anti_aliased)?;
+        row("spanfill-aa-over", cost.anti_aliased_over)?;
     }
     Ok(())
 }

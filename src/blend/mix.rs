@@ -1,20 +1,108 @@
-//! Mixing two colours.
+//! Mixing two colours, channel by channel, two channels to a multiplication.
 
-use embedded_graphics_core::pixelcolor::{PixelColor, Rgb565, RgbColor};
+use embedded_graphics_core::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, IntoStorage, PixelColor, Rgb555, Rgb565, Rgb666,
+    Rgb888, raw::RawData,
+};
 
-/// A colour that can be mixed with another.
+/// A colour that can be mixed with another: every colour of embedded-graphics, and others by implementing it.
+///
+/// `alpha` is how opaque the upper colour is, in 255ths: 0..=255.
+///
+/// Each channel is mixed by itself, in its own steps, to the nearest of them. There are no ties, and both ends are
+/// exact:
+///
+/// ```text
+///                   top * alpha + bottom * (255 - alpha)
+/// channel = round ( ------------------------------------ )
+///                                   255
+/// ```
+///
+/// `BinaryColor` has two steps: the upper colour from alpha 128 on. [`Dither`](crate::Dither) suits it better.
+///
+/// # Cost
+///
+/// Four multiplications and no division for three channels.
+///
+/// # Examples
+///
+/// ```
+/// use embedded_graphics::pixelcolor::{Gray8, Rgb565, RgbColor};
+/// use spanfill::Mix;
+///
+/// // A third of 31 and of 63 steps: 10.33 and 21.
+/// assert_eq!(Rgb565::WHITE.over(Rgb565::BLACK, 85), Rgb565::new(10, 21, 10));
+/// assert_eq!(Gray8::new(200).over(Gray8::new(100), 255), Gray8::new(200));
+/// ```
 pub trait Mix: PixelColor {
-    /// This colour, `alpha` 255ths opaque, over another: each channel to the nearest of its own steps.
+    /// This colour, `alpha` 255ths opaque, over another.
     fn over(self, backdrop: Self, alpha: u8) -> Self;
 }
 
-impl Mix for Rgb565 {
+/// A channel of at most 255 steps, mixed.
+///
+/// The sum `t` is at most 255 * 255. Division by the odd 255 rounds without ties: `t = 255 q + r` with `|r| <= 127`
+/// and `q <= 255`. Then `u = t + 128 = 256 q + (r + 128 - q)`, and `u >> 8` is `q` where `r + 128 >= q` and else
+/// `q - 1`, as `r + 128 - q >= 1 - 255`. So `u + (u >> 8)` is `256 q + (r + 128)` or `256 q + (r + 127)`, and either
+/// is `q` after the last shift, as `1 <= r + 128 <= 255` (J. F. Blinn, "Three Wrongs Make a Right", 1995).
+#[inline(always)]
+fn mix_one(top: u32, bottom: u32, alpha: u8) -> u32 {
+    let alpha = u32::from(alpha);
+    let biased = top * alpha + bottom * (255 - alpha) + 128;
+    (biased + (biased >> 8)) >> 8
+}
+
+/// Two channels, each under its part of `mask`, in bits 0..=7 and 16..=23, mixed as in [`mix_one`].
+///
+/// What is largest in a lane, `u + (u >> 8)`, has 16 bits, so none runs over into the next. Between them, `u >> 8` is
+/// at most the channel's last step `m`, as `u <= 255 m + 128 < 256 (m + 1)`: the channel's own mask cuts it out.
+#[inline(always)]
+fn mix_two(top: u32, bottom: u32, alpha: u8, mask: u32) -> u32 {
+    const LARGEST: u32 = 255 * 255 + 128;
+    const _: () = assert!(LARGEST + (LARGEST >> 8) < 1 << 16);
+    let alpha = u32::from(alpha);
+    let biased = top * alpha + bottom * (255 - alpha) + ((128 << 16) | 128);
+    ((biased + ((biased >> 8) & mask)) >> 8) & mask
+}
+
+/// Three channels of so many bits each, from the lowest up, mixed: the outer two together.
+#[inline(always)]
+fn mix_three<const LOW: u32, const MIDDLE: u32, const HIGH: u32>(top: u32, bottom: u32, alpha: u8) -> u32 {
+    // From where the high channel lies to its lane.
+    let shift = 16 - (LOW + MIDDLE);
+    let (low, middle, high) = ((1 << LOW) - 1, (1 << MIDDLE) - 1, ((1 << HIGH) - 1) << 16);
+    // In 16 bits `shift` is at least a channel's width: no bit of one falls on the other, and one step does for both.
+    let narrow = LOW + MIDDLE + HIGH <= 16;
+    let spread = |raw: u32| {
+        if narrow { (raw | (raw << shift)) & (low | high) } else { (raw & low) | ((raw << shift) & high) }
+    };
+    let outer = mix_two(spread(top), spread(bottom), alpha, low | high);
+    // What is left above a narrow colour's 16 bits is not stored.
+    let joined = if narrow { outer | (outer >> shift) } else { (outer & low) | ((outer & high) >> shift) };
+    joined | (mix_one((top >> LOW) & middle, (bottom >> LOW) & middle, alpha) << LOW)
+}
+
+macro_rules! impl_mix {
+    ($mix:expr => $($colour:ident)+) => {
+        $(impl Mix for $colour {
+            #[inline]
+            fn over(self, backdrop: Self, alpha: u8) -> Self {
+                let mixed = $mix(self.into_storage().into(), backdrop.into_storage().into(), alpha);
+                <Self as PixelColor>::Raw::from_u32(mixed).into()
+            }
+        })+
+    };
+}
+
+impl_mix!(mix_one => Gray2 Gray4 Gray8);
+impl_mix!(mix_three::<5, 5, 5> => Rgb555 Bgr555);
+impl_mix!(mix_three::<5, 6, 5> => Rgb565 Bgr565);
+impl_mix!(mix_three::<6, 6, 6> => Rgb666 Bgr666);
+impl_mix!(mix_three::<8, 8, 8> => Rgb888 Bgr888);
+
+impl Mix for BinaryColor {
+    #[inline]
     fn over(self, backdrop: Self, alpha: u8) -> Self {
-        let channel = |top: u8, bottom: u8| {
-            let sum = u32::from(top) * u32::from(alpha) + u32::from(bottom) * u32::from(255 - alpha);
-            let rounded = (2 * sum + 255) / 510;
-            rounded.to_le_bytes()[0]
-        };
-        Self::new(channel(self.r(), backdrop.r()), channel(self.g(), backdrop.g()), channel(self.b(), backdrop.b()))
+        if alpha >= 128 { self } else { backdrop }
     }
 }

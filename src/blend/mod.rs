@@ -1,22 +1,81 @@
 //! What colour results where a colour covers a pixel in part.
 
+mod dither;
+mod linear;
 mod mix;
 mod over;
 mod read_back;
+mod srgb;
 
+pub use dither::Dither;
+pub use linear::{Linear, MixLinear};
 pub use mix::Mix;
 pub use over::Over;
 pub use read_back::ReadBack;
 
+use core::iter::repeat_n;
+
 use embedded_graphics_core::{draw_target::DrawTarget, geometry::Point};
 
-/// What colour results from this coverage of this colour here.
-pub trait Blend<D: DrawTarget> {
-    /// The colour that results at every point, if it is the same everywhere; asked once for a whole span.
+/// Draws one colour, more or less opaque, onto a target: how the edges of a shape are mixed with what is behind it.
+///
+/// | | the target must | what is behind | for |
+/// |---|---|---|---|
+/// | [`Over`] | only take pixels | one known colour | displays that cannot be read |
+/// | [`ReadBack`] | have `GetPixel` | what it shows | framebuffers, bands |
+/// | [`Dither`] | only take pixels | stays, pixel by pixel | one or two bits a pixel |
+/// | [`Linear`] | as within it | as within it | [`Over`] or [`ReadBack`] as light adds up |
+///
+/// `alpha` is how opaque the colour is, in 255ths: how much of the pixel the shape covers, times its opacity. From 0,
+/// which leaves what is behind as it is, to 255, the colour itself. [`AntiAliased`](crate::AntiAliased) fills what is
+/// wholly covered and opaque by itself, without asking, and keeps to the target's bounding box.
+///
+/// A blend is a small value: it is copied to where the compiler can keep it in registers.
+///
+/// # Examples
+///
+/// One method is enough for any other background; here a sky that darkens upwards, row by row:
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+/// use spanfill::{Blend, Over, Triangle, prelude::*};
+///
+/// #[derive(Clone, Copy)]
+/// struct OverSky;
+///
+/// impl<D: DrawTarget<Color = Gray8>> Blend<D> for OverSky {
+///     fn run<A>(&self, target: &mut D, start: Point, colour: Gray8, alphas: A) -> Result<(), D::Error>
+///     where
+///         A: ExactSizeIterator<Item = u8>,
+///     {
+///         let row = start.y.clamp(0, 63) as u8;
+///         Over(Gray8::new(4 * row)).run(target, start, colour, alphas)
+///     }
+/// }
+///
+/// let mut display = MockDisplay::new();
+/// let mountain = Triangle::new(Point::new(30, 8), Point::new(60, 50), Point::new(5, 45));
+/// mountain.antialiased(Gray8::WHITE, OverSky).draw_on(&mut display)?;
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
+pub trait Blend<D: DrawTarget>: Copy {
+    /// Draws a pixel for each of `alphas`, of which there is at least one, from `start` to the right.
     ///
-    /// For `alpha` 255 it is the colour itself.
-    fn everywhere(&self, colour: D::Color, alpha: u8) -> Option<D::Color>;
+    /// # Errors
+    ///
+    /// The target's, at once.
+    fn run<A>(&self, target: &mut D, start: Point, colour: D::Color, alphas: A) -> Result<(), D::Error>
+    where
+        A: ExactSizeIterator<Item = u8>;
 
-    /// The colour that results at one point; none leaves the pixel as it is.
-    fn at(&self, target: &D, point: Point, colour: D::Color, alpha: u8) -> Option<D::Color>;
+    /// Draws `width` pixels, of which there is at least one, that are all alike, from `start` to the right.
+    ///
+    /// # Errors
+    ///
+    /// The target's, at once.
+    #[inline]
+    fn span(&self, target: &mut D, start: Point, width: u32, colour: D::Color, alpha: u8) -> Result<(), D::Error> {
+        let width = usize::try_from(width).unwrap_or(usize::MAX);
+        self.run(target, start, colour, repeat_n(alpha, width))
+    }
 }

@@ -1,21 +1,75 @@
 //! Over a background that is known.
 
-use embedded_graphics_core::{draw_target::DrawTarget, geometry::Point};
+use embedded_graphics_core::{
+    Pixel,
+    draw_target::DrawTarget,
+    geometry::{Point, Size},
+    pixelcolor::PixelColor,
+    primitives::Rectangle,
+};
 
 use crate::blend::{Blend, Mix};
 
 /// Blends over a background of one colour, on targets that cannot be read.
+///
+/// The pixels at the edges are mixed with the background's colour, whatever the target shows there: where shapes
+/// overlap in another colour, a seam of the background remains, unless the upper one has its own background.
+///
+/// ```text
+///   coverage        0   64  191  255  255
+///   Over(BLACK)     .   -   +    #    #        . not sent, - dark, + brighter, # the colour itself
+/// ```
+///
+/// # Cost
+///
+/// One [`over`](Mix::over) a pixel. A display behind a bus gets a run of edge pixels in one address window, by
+/// `fill_contiguous`, and pixels that are all alike by `fill_solid`.
+///
+/// # Examples
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+/// use spanfill::{Circle, Over, prelude::*};
+///
+/// let mut display = MockDisplay::new();
+/// Circle::new(Point::new(20, 20), 9.5).antialiased(Gray8::WHITE, Over(Gray8::new(40))).draw(&mut display)?;
+/// assert_eq!(display.get_pixel(Point::new(20, 20)), Some(Gray8::WHITE));
+/// assert_eq!(display.get_pixel(Point::new(40, 20)), None);
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Over<C>(pub C);
 
+impl<C: PixelColor> Over<C> {
+    /// Draws a run whose colours depend on its alphas only.
+    #[inline(always)]
+    pub(super) fn run_by<D: DrawTarget<Color = C>>(
+        target: &mut D,
+        start: Point,
+        mut alphas: impl ExactSizeIterator<Item = u8>,
+        mix: impl Fn(u8) -> C,
+    ) -> Result<(), D::Error> {
+        let width = alphas.len();
+        if width == 1 {
+            // The same to a bus, and no walk over a rectangle to a framebuffer: most runs are as short.
+            return target.draw_iter(alphas.next().map(|alpha| Pixel(start, mix(alpha))));
+        }
+        let size = Size::new(u32::try_from(width).unwrap_or(u32::MAX), 1);
+        target.fill_contiguous(&Rectangle::new(start, size), alphas.map(mix))
+    }
+}
+
 impl<C: Mix, D: DrawTarget<Color = C>> Blend<D> for Over<C> {
     #[inline]
-    fn everywhere(&self, colour: C, alpha: u8) -> Option<C> {
-        Some(colour.over(self.0, alpha))
+    fn run<A>(&self, target: &mut D, start: Point, colour: C, alphas: A) -> Result<(), D::Error>
+    where
+        A: ExactSizeIterator<Item = u8>,
+    {
+        Self::run_by(target, start, alphas, |alpha| colour.over(self.0, alpha))
     }
 
     #[inline]
-    fn at(&self, _: &D, _: Point, colour: C, alpha: u8) -> Option<C> {
-        Some(colour.over(self.0, alpha))
+    fn span(&self, target: &mut D, start: Point, width: u32, colour: C, alpha: u8) -> Result<(), D::Error> {
+        target.fill_solid(&Rectangle::new(start, Size::new(width, 1)), colour.over(self.0, alpha))
     }
 }

@@ -4,11 +4,11 @@
 //! right adds the cells up. The idea is that of FreeType's smooth rasterizer (R. Levien's and D. Turner's `ftgrays`, after
 //! Raph Levien's libart), with one number a cell in place of two.
 
-use core::ops::Range;
+use core::{mem::take, ops::Range};
 
 use crate::coverage::{
     CoverageSink,
-    ramp::{Ramp, coverage_of},
+    ramp::{Ramp, STEPPED, coverage_of},
     runs::Runs,
 };
 
@@ -37,55 +37,119 @@ impl<'c> Cells<'c> {
         Self { cells, touched: columns.end..columns.start, columns }
     }
 
+    /// Adds what is to the right of an edge, or, with `sign` -1, takes it away.
     #[inline(always)]
-    fn add(&mut self, column: i32, area: u32) {
-        let index = column.wrapping_sub(self.columns.start).cast_unsigned() as usize;
-        if let Some(cell) = self.cells.get_mut(index) {
-            cell.0 = cell.0.wrapping_add(area.cast_signed());
+    pub(crate) fn add_ramp(&mut self, ramp: &Ramp, sign: i32) {
+        // The column after the last is where the area stops changing.
+        let first = ramp.first.wrapping_sub(self.columns.start).cast_unsigned() as usize;
+        let length = ramp.last.wrapping_sub(ramp.first).cast_unsigned() as usize + 2;
+        if ramp.first < self.columns.start
+            || ramp.last >= self.columns.end - 1
+            || length > STEPPED.unsigned_abs() as usize
+        {
+            return self.add_cut(ramp, sign);
+        }
+        self.touched.start = self.touched.start.min(ramp.first);
+        self.touched.end = self.touched.end.max(ramp.last + 2);
+        let sign = sign.cast_unsigned();
+        let change = |cell: &mut Cell, by: u32| cell.0 = cell.0.wrapping_add(by.wrapping_mul(sign).cast_signed());
+        match self.cells.get_mut(first..).and_then(|cells| cells.get_mut(..length)) {
+            Some([a, b]) => {
+                change(a, ramp.first_area);
+                change(b, ramp.height.wrapping_sub(ramp.first_area));
+            }
+            Some([a, b, c]) => {
+                change(a, ramp.first_area);
+                change(b, ramp.last_area.wrapping_sub(ramp.first_area));
+                change(c, ramp.height.wrapping_sub(ramp.last_area));
+            }
+            Some([a, b, between @ .., c, d]) => {
+                change(a, ramp.first_area);
+                change(b, ramp.second_area.wrapping_sub(ramp.first_area));
+                let mut area = ramp.second_area;
+                for cell in between {
+                    change(cell, ramp.step);
+                    area = area.wrapping_add(ramp.step);
+                }
+                change(c, ramp.last_area.wrapping_sub(area));
+                change(d, ramp.height.wrapping_sub(ramp.last_area));
+            }
+            _ => {}
         }
     }
 
-    /// Adds what is to the right of an edge, or, with `sign` -1, takes it away.
-    #[inline]
-    pub(crate) fn add_ramp(&mut self, ramp: &Ramp, sign: i32) {
-        let sign = sign.cast_unsigned();
+    /// The same for an edge that the columns cut.
+    #[inline(never)]
+    fn add_cut(&mut self, ramp: &Ramp, sign: i32) {
         let first = ramp.first.max(self.columns.start);
         if first >= self.columns.end {
             return;
         }
-        let end = ramp.last.min(self.columns.end - 1).max(first - 1) + 1;
+        let end = ramp.last.saturating_add(2).min(self.columns.end).max(first + 1);
+        let index = |column: i32| column.wrapping_sub(self.columns.start).cast_unsigned() as usize;
         let mut before = 0;
-        for column in first..end {
+        for (column, cell) in (first..end).zip(self.cells.get_mut(index(first)..).unwrap_or_default()) {
             let area = ramp.at(column);
-            self.add(column, area.wrapping_sub(before).wrapping_mul(sign));
+            let change = area.wrapping_sub(before).wrapping_mul(sign.cast_unsigned());
+            cell.0 = cell.0.wrapping_add(change.cast_signed());
             before = area;
         }
-        if end < self.columns.end {
-            self.add(end, ramp.height.wrapping_sub(before).wrapping_mul(sign));
-        }
         self.touched.start = self.touched.start.min(first);
-        self.touched.end = self.touched.end.max((end + 1).min(self.columns.end));
+        self.touched.end = self.touched.end.max(end);
     }
 
     /// Sends the row, and leaves all cells 0.
+    #[inline(never)]
     pub(crate) fn sweep<S: CoverageSink>(&mut self, row: i32, runs: &mut Runs<'_, S>) -> Result<(), S::Error> {
         let Range { start, end } = core::mem::replace(&mut self.touched, self.columns.end..self.columns.start);
-        let range = |column: i32| column.wrapping_sub(self.columns.start).cast_unsigned() as usize;
-        let Some(mut cells) = self.cells.get_mut(range(start)..range(end)) else { return Ok(()) };
+        let index = |column: i32| column.wrapping_sub(self.columns.start).cast_unsigned() as usize;
+        let Some(cells) = self.cells.get_mut(index(start)..index(end)) else { return Ok(()) };
         runs.start(row);
+        let mut cells = cells.iter_mut();
         let mut column = start;
         let mut area = 0_u32;
-        while let Some((cell, rest)) = cells.split_first_mut() {
-            area = area.wrapping_add(core::mem::take(&mut cell.0).cast_unsigned());
-            let alike = rest.iter().take_while(|cell| cell.0 == 0).count();
-            cells = rest.get_mut(alike..).unwrap_or_default();
-            let mut next = column.wrapping_add_unsigned(u32::try_from(alike).unwrap_or(0)) + 1;
-            if cells.is_empty() {
-                next = self.columns.end;
+        while let Some(cell) = cells.next() {
+            area = area.wrapping_add(take(&mut cell.0).cast_unsigned());
+            let coverage = coverage_of(area);
+            if coverage != 0 && coverage != 255 {
+                runs.pixel(column, coverage)?;
+                column += 1;
+                continue;
             }
-            runs.alike(column, next, coverage_of(area))?;
-            column = next;
+            // As far as it stays so.
+            let gap = column;
+            column += 1;
+            loop {
+                let zeros = zeros(cells.as_slice());
+                if zeros > 0 {
+                    cells.nth(zeros - 1);
+                    column = column.wrapping_add_unsigned(u32::try_from(zeros).unwrap_or(0));
+                }
+                let Some(cell) = cells.as_slice().first() else { break };
+                let next = area.wrapping_add(cell.0.cast_unsigned());
+                if coverage_of(next) != coverage {
+                    break;
+                }
+                area = next;
+                column += 1;
+                if let Some(cell) = cells.next() {
+                    cell.0 = 0;
+                }
+            }
+            if cells.as_slice().is_empty() {
+                column = self.columns.end;
+            }
+            if coverage == 0 { runs.finish()? } else { runs.inside(gap, column)? }
         }
+        runs.alike(column, self.columns.end, coverage_of(area))?;
         runs.finish()
     }
+}
+
+/// How many cells in front are 0.
+#[inline(always)]
+fn zeros(cells: &[Cell]) -> usize {
+    let is_zero = |eight: &&[Cell]| eight.iter().fold(0, |any, cell| any | cell.0) == 0;
+    let whole = cells.chunks_exact(8).take_while(is_zero).count() * 8;
+    whole + cells.get(whole..).unwrap_or_default().iter().take_while(|cell| cell.0 == 0).count()
 }

@@ -15,8 +15,9 @@ use core::ops::Range;
 
 use crate::{
     coverage::{
-        Cell, Cells, CoverageSink, FULL, Ramp, Runs, Steepness,
+        Cell, Cells, CoverageSink, Ramp, Runs, Steepness,
         ramp::{column_of, coverage_of},
+        runs::Crossings,
     },
     span::clip_range,
 };
@@ -52,7 +53,6 @@ pub(crate) fn send<S: CoverageSink>(
         for _ in 0..whole {
             runs.start(rows.start);
             send_between(&left.whole_row(), &right.whole_row(), columns, &mut runs)?;
-            runs.finish()?;
             rows.start += 1;
         }
         if rows.start < rows.end {
@@ -65,38 +65,54 @@ pub(crate) fn send<S: CoverageSink>(
 
 /// Sends a row between two edges that cross all of it.
 #[inline(always)]
-pub(crate) fn send_between<S: CoverageSink>(
+fn send_between<S: CoverageSink>(
     left: &Ramp,
     right: &Ramp,
     columns: &Range<i32>,
     runs: &mut Runs<'_, S>,
 ) -> Result<(), S::Error> {
-    if left.last < right.first {
-        for column in left.first.max(columns.start)..(left.last + 1).min(columns.end) {
-            runs.pixel(column, coverage_of(left.at(column)))?;
-        }
-        runs.alike((left.last + 1).max(columns.start), right.first.min(columns.end), 255)?;
-        for column in right.first.max(columns.start)..(right.last + 1).min(columns.end) {
-            runs.pixel(column, coverage_of(FULL - right.at(column)))?;
-        }
+    if left.last <= right.first && left.first >= columns.start && right.last < columns.end {
+        let mut crossings = Crossings::new();
+        crossings.edge(left, 1, runs)?;
+        crossings.edge(right, -1, runs)?;
+        crossings.finish(runs)
     } else {
-        let first = left.first.min(right.first).max(columns.start);
-        let end = (left.last.max(right.last) + 1).min(columns.end);
-        for column in first..end {
+        send_cut(left, right, columns, runs)
+    }
+}
+
+/// The same where the two share columns, or the clip cuts them.
+#[inline(never)]
+fn send_cut<S: CoverageSink>(
+    left: &Ramp,
+    right: &Ramp,
+    columns: &Range<i32>,
+    runs: &mut Runs<'_, S>,
+) -> Result<(), S::Error> {
+    let from = left.first.min(right.first).max(columns.start);
+    let end = (left.last.max(right.last) + 1).min(columns.end);
+    let inside = (left.last + 1).max(from)..right.first.min(end);
+    let mut column = from;
+    while column < end {
+        if column == inside.start && inside.start < inside.end {
+            runs.alike(inside.start, inside.end, 255)?;
+            column = inside.end;
+        } else {
             runs.pixel(column, coverage_of(left.at(column).wrapping_sub(right.at(column))))?;
+            column += 1;
         }
     }
-    Ok(())
+    runs.finish()
 }
 
 /// The columns that a side's pieces in a row cross.
 fn columns_of(mut side: impl Side, row: i32) -> Range<i32> {
-    let mut columns = i32::MAX..i32::MIN;
+    let (mut start, mut end) = (i32::MAX, i32::MIN);
     side.pieces(row, |from, to, _, _| {
-        columns.start = columns.start.min(column_of(from.min(to)));
-        columns.end = columns.end.max(column_of(from.max(to)) + 1);
+        start = start.min(column_of(from.min(to)));
+        end = end.max(column_of(from.max(to)) + 1);
     });
-    columns
+    start..end
 }
 
 /// Sends a row with any number of pieces on either side.

@@ -5,14 +5,17 @@ mod chain;
 mod convex;
 mod ramp;
 mod runs;
+mod samples;
 mod slope;
 
 pub use cells::Cell;
 pub(crate) use cells::Cells;
 pub(crate) use chain::{Chain, WideChain};
-pub(crate) use convex::{Side, send, send_between};
+pub(crate) use convex::{Side, send};
 pub(crate) use ramp::{FULL, Ramp, column_of, height_of};
-pub(crate) use runs::Runs;
+pub(crate) use runs::{Crossings, Runs};
+pub(crate) use samples::Supersampler;
+pub use samples::{SampleCell, Samples};
 pub(crate) use slope::{Slope, Steepness};
 
 use crate::span::Span;

@@ -28,12 +28,16 @@ pub(crate) struct Ramp {
     pub(crate) last: i32,
     pub(crate) height: u32,
     pub(crate) first_area: u32,
-    last_area: u32,
+    pub(crate) last_area: u32,
     /// In the column after the first.
     pub(crate) second_area: u32,
     /// From each to the next between the first and the last.
     pub(crate) step: u32,
+    steepness: Steepness,
 }
+
+/// Over more columns than there are in the narrow zone, the steps' last bits would add up: they are multiplied out.
+pub(crate) const STEPPED: i32 = 1 << 14;
 
 /// The column that holds a position.
 #[inline(always)]
@@ -53,10 +57,6 @@ pub(crate) fn part_of(position: i64) -> u32 {
 }
 
 impl Ramp {
-    /// No edge.
-    pub(crate) const NONE: Self =
-        Self { first: 0, last: 0, height: 0, first_area: 0, last_area: 0, second_area: 0, step: 0 };
-
     /// Between the positions of an edge's ends in the row, in either order, over `height`.
     #[inline(always)]
     pub(crate) fn between(a: i64, b: i64, height: u32, steepness: Steepness) -> Self {
@@ -66,12 +66,15 @@ impl Ramp {
         if first == last {
             let mean = (left_part >> 1) + (right_part >> 1);
             let area = height - high_word(height, mean);
-            return Self { first, last, height, first_area: area, last_area: area, second_area: 0, step: 0 };
+            return Self { first, last, height, first_area: area, last_area: area, second_area: 0, step: 0, steepness };
         }
         let to_boundary = !left_part;
         let down = steepness.down(to_boundary).min(height);
-        let rest = steepness.down(right_part).min(height);
-        let step = steepness.down_a_pixel();
+        let (rest, step) = if last == first + 1 {
+            (height - down, 0)
+        } else {
+            (steepness.down(right_part).min(height), steepness.down_a_pixel())
+        };
         Self {
             first,
             last,
@@ -80,6 +83,7 @@ impl Ramp {
             last_area: height - (high_word(right_part, rest) >> 1),
             second_area: down + (step >> 1),
             step,
+            steepness,
         }
     }
 
@@ -92,7 +96,11 @@ impl Ramp {
             if column > self.last { self.height } else { self.last_area }
         } else {
             let after = column.wrapping_sub(self.first).wrapping_sub(1).cast_unsigned();
-            self.second_area.wrapping_add(after.wrapping_mul(self.step))
+            if self.last.wrapping_sub(self.first) <= STEPPED {
+                self.second_area.wrapping_add(after.wrapping_mul(self.step))
+            } else {
+                self.second_area.wrapping_add(self.steepness.down_pixels(after)).min(self.height)
+            }
         }
     }
 }

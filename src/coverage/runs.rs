@@ -1,8 +1,14 @@
-//! Coverage on its way to a sink: single pixels gathered into runs.
+//! Coverage on its way to a sink: a row of pixels, put together from left to right.
 
 use core::mem::take;
 
-use crate::{coverage::CoverageSink, span::Span};
+use crate::{
+    coverage::{
+        CoverageSink,
+        ramp::{FULL, Ramp, coverage_of},
+    },
+    span::Span,
+};
 
 /// Runs are at most so long; a display behind a bus pays for an address window once a run.
 const RUN: usize = 32;
@@ -27,39 +33,46 @@ impl<'s, S: CoverageSink> Runs<'s, S> {
         Self { sink, row: 0, end: 0, length: 0, coverage: [0; RUN] }
     }
 
-    /// What follows is on `row`. The run before has been finished.
+    /// What follows is on `row`. The row before has been finished.
     #[inline(always)]
     pub(crate) fn start(&mut self, row: i32) {
         self.row = row;
     }
 
+    /// The next column of the open run, or the first of the next.
     #[inline(always)]
     pub(crate) fn pixel(&mut self, column: i32, coverage: u8) -> Result<(), S::Error> {
-        if coverage == 0 {
-            return Ok(());
-        }
-        if column != self.end || self.length == RUN {
+        if coverage == 0 || self.length == RUN {
             self.finish()?;
         }
-        if let Some(slot) = self.coverage.get_mut(self.length) {
-            *slot = coverage;
+        if coverage != 0 {
+            if let Some(slot) = self.coverage.get_mut(self.length) {
+                *slot = coverage;
+            }
+            self.length += 1;
+            self.end = column + 1;
         }
-        self.length += 1;
-        self.end = column + 1;
         Ok(())
     }
 
-    /// `columns` that are all covered alike; there may be none.
+    /// Columns inside, after the open run; there may be none.
+    #[inline(always)]
+    pub(crate) fn inside(&mut self, start: i32, end: i32) -> Result<(), S::Error> {
+        if start < end {
+            self.finish()?;
+            self.sink.span(Span { row: self.row, columns: start..end }, 255)?;
+        }
+        Ok(())
+    }
+
+    /// The next columns, which are all covered alike; there may be none.
     #[inline(always)]
     pub(crate) fn alike(&mut self, start: i32, end: i32, coverage: u8) -> Result<(), S::Error> {
-        if coverage == 0 || start >= end {
-            return Ok(());
-        }
         if end - start < SPAN {
             return (start..end).try_for_each(|column| self.pixel(column, coverage));
         }
         self.finish()?;
-        self.sink.span(Span { row: self.row, columns: start..end }, coverage)
+        if coverage == 0 { Ok(()) } else { self.sink.span(Span { row: self.row, columns: start..end }, coverage) }
     }
 
     /// Sends the open run.
@@ -67,8 +80,81 @@ impl<'s, S: CoverageSink> Runs<'s, S> {
     pub(crate) fn finish(&mut self) -> Result<(), S::Error> {
         let length = take(&mut self.length);
         match self.coverage.get(..length) {
-            Some(run) if length > 0 => self.sink.run(self.row, self.end - i32::try_from(length).unwrap_or(0), run),
+            Some(run) if length > 0 => {
+                #[allow(clippy::cast_possible_truncation, reason = "at most 32")]
+                #[allow(clippy::cast_possible_wrap, reason = "at most 32")]
+                let length = length as i32;
+                self.sink.run(self.row, self.end - length, run)
+            }
             _ => Ok(()),
         }
+    }
+}
+
+/// A row of which the edges are known from left to right, each no farther left than where the one before ends: pixels are
+/// sent as they become complete.
+///
+/// ```text
+///      edge   edge           edge
+///     |  /#|##\  |     |    |  |####
+///              '- not complete: another edge may end here, or begin
+/// ```
+#[derive(Debug)]
+pub(crate) struct Crossings {
+    /// The column that the last edge ends in, and what is covered of it so far.
+    column: i32,
+    area: u32,
+    /// What is covered of the columns after it.
+    after: u32,
+}
+
+impl Crossings {
+    /// Nothing yet.
+    #[inline(always)]
+    pub(crate) fn new() -> Self {
+        Self { column: i32::MIN, area: 0, after: 0 }
+    }
+
+    /// The next edge, over a pixel's whole height: `sign` is 1 where it leads inside, -1 where it leads outside.
+    #[inline(always)]
+    pub(crate) fn edge<S: CoverageSink>(
+        &mut self,
+        ramp: &Ramp,
+        sign: i32,
+        runs: &mut Runs<'_, S>,
+    ) -> Result<(), S::Error> {
+        let to_right = |area: u32| if sign < 0 { FULL - area } else { area };
+        if ramp.first == self.column {
+            self.area = self.area.wrapping_add(to_right(ramp.first_area)).wrapping_sub(self.after);
+        } else {
+            self.gap(ramp.first, runs)?;
+            self.area = to_right(ramp.first_area);
+        }
+        self.column = ramp.first;
+        if ramp.last != ramp.first {
+            runs.pixel(ramp.first, coverage_of(self.area))?;
+            let mut area = ramp.second_area;
+            for column in ramp.first + 1..ramp.last {
+                runs.pixel(column, coverage_of(to_right(area)))?;
+                area = area.wrapping_add(ramp.step);
+            }
+            self.column = ramp.last;
+            self.area = to_right(ramp.last_area);
+        }
+        self.after = if sign < 0 { 0 } else { FULL };
+        Ok(())
+    }
+
+    /// The pixel that is complete now, and those up to `column`.
+    #[inline(always)]
+    fn gap<S: CoverageSink>(&self, column: i32, runs: &mut Runs<'_, S>) -> Result<(), S::Error> {
+        runs.pixel(self.column, coverage_of(self.area))?;
+        if self.after == 0 { runs.finish() } else { runs.inside(self.column + 1, column) }
+    }
+
+    /// There are no more edges; the last led outside.
+    #[inline(always)]
+    pub(crate) fn finish<S: CoverageSink>(&self, runs: &mut Runs<'_, S>) -> Result<(), S::Error> {
+        self.gap(self.column, runs)
     }
 }

@@ -13,22 +13,22 @@ use crate::{
 /// An edge on its current scan line.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Slope {
-    /// Halves, so that scratch has no padding.
-    position: (i32, u32),
-    step: (i32, u32),
+    /// Halves, the lower first, so that scratch has no padding.
+    position: (u32, i32),
+    step: (u32, i32),
     pub(crate) steepness: Steepness,
 }
 
 #[inline(always)]
-fn joined((high, low): (i32, u32)) -> i64 {
+fn joined((low, high): (u32, i32)) -> i64 {
     (i64::from(high) << 32) | i64::from(low)
 }
 
 #[inline(always)]
-fn halves(value: i64) -> (i32, u32) {
-    #[allow(clippy::cast_possible_truncation, reason = "the upper and the lower half")]
+fn halves(value: i64) -> (u32, i32) {
+    #[allow(clippy::cast_possible_truncation, reason = "the lower and the upper half")]
     #[allow(clippy::cast_sign_loss, reason = "bits")]
-    let halves = ((value >> 32) as i32, value as u32);
+    let halves = (value as u32, (value >> 32) as i32);
     halves
 }
 
@@ -66,7 +66,7 @@ impl Slope {
         Self { position: halves(position), step: halves(slope), steepness: Steepness::of(dy, width) }
     }
 
-    /// `below` the top of an edge anywhere: it cannot be stepped, see [`reach`](Self::reach).
+    /// `below` the top of an edge anywhere: it cannot be stepped, see [`widen`](Self::widen).
     #[inline(never)]
     pub(crate) fn wide(descent: Descent, below: u32) -> Self {
         Self { position: halves(wide_position(descent, below)), steepness: Steepness::WIDE, ..Self::EMPTY }
@@ -122,20 +122,22 @@ fn divided(width: u32, dy: u32) -> i64 {
     let (whole, rest) = (width / dy, width % dy);
     let part = if dy < 1 << 16 {
         let (high, rest) = ((rest << 16) / dy, (rest << 16) % dy);
-        u64::from(high << 16 | (rest << 16) / dy)
+        u64::from((high << 16) | ((rest << 16) / dy))
     } else {
         (u64::from(rest) << 32) / u64::from(dy)
     };
     (u64::from(whole) << 32 | part).cast_signed()
 }
 
-/// How far down a line goes for a pixel to the right: `mantissa 2^(exponent - 31)`, `2^31 <= mantissa < 2^32`, of which
-/// the six lowest bits are given up for the exponent, biased.
+/// How far down a line goes for a pixel to the right, in 2^-30 pixel: `mantissa 2^(32 - shift)`, `2^31 <= mantissa < 2^32`,
+/// of which the six lowest bits are given up for the shift, and two more for a mark.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Steepness(u32);
 
-const EXPONENT_MASK: u32 = 63;
-const EXPONENT_BIAS: i32 = 31;
+const SHIFT_MASK: u32 = 63;
+const MARK_SHIFT: u32 = 6;
+const MARK_MASK: u32 = 3 << MARK_SHIFT;
+const MANTISSA_MASK: u32 = !(SHIFT_MASK | MARK_MASK);
 
 impl Steepness {
     /// Vertical.
@@ -156,14 +158,14 @@ impl Steepness {
         let (quotient, rest) = (down / across, down % across);
         let more = quotient.leading_zeros() & 31;
         let mantissa = if more <= across.leading_zeros() {
-            quotient << more | (rest << more) / across
+            (quotient << more) | ((rest << more) / across)
         } else {
             #[allow(clippy::cast_possible_truncation, reason = "the quotient has `more` zeros in front")]
             let mantissa = ((u64::from(down) << more) / u64::from(across)) as u32;
             mantissa
         };
-        let exponent = 31 - (left + more).cast_signed();
-        Self(mantissa & !EXPONENT_MASK | (exponent + EXPONENT_BIAS).cast_unsigned())
+        // The ratio is `mantissa 2^-(left + more)`.
+        Self((mantissa & MANTISSA_MASK) | (2 + left + more).min(SHIFT_MASK))
     }
 
     /// `down`, in 2^-30 pixel, for a difference of positions.
@@ -174,30 +176,43 @@ impl Steepness {
         if bits == 0 {
             return Self::NONE;
         }
-        let exponent = (bits & EXPONENT_MASK).cast_signed() + 10 - excess.cast_signed();
-        Self(bits & !EXPONENT_MASK | exponent.clamp(1, 62).cast_unsigned())
+        // Below what the shift can say, the mantissa loses bits: at most two or three, and the rest is as fine.
+        let shift = ((bits & SHIFT_MASK) + excess).saturating_sub(10).max(2);
+        let mantissa = (bits & MANTISSA_MASK) >> shift.saturating_sub(SHIFT_MASK).min(31);
+        Self((mantissa & MANTISSA_MASK) | shift.min(SHIFT_MASK))
+    }
+
+    /// Two bits that whoever holds the slope may use.
+    #[inline(always)]
+    pub(crate) fn mark(self) -> i32 {
+        ((self.0 & MARK_MASK) >> MARK_SHIFT).cast_signed()
     }
 
     #[inline(always)]
-    fn exponent(self) -> i32 {
-        (self.0 & EXPONENT_MASK).cast_signed() - EXPONENT_BIAS
+    pub(crate) fn marked(self, mark: i32) -> Self {
+        Self((self.0 & !MARK_MASK) | (mark.cast_unsigned() << MARK_SHIFT))
     }
 
-    /// How far down for `across`, less than a pixel, in 2^-32; at most about a pixel; in 2^-30.
+    /// How far down for `across`, less than a pixel, in 2^-32; at most about a pixel.
     #[inline(always)]
     pub(crate) fn down(self, across: u32) -> u32 {
-        let exponent = self.exponent();
-        if exponent > 0 {
-            high_word(across << ((exponent - 1) & 31), self.0)
-        } else {
-            high_word(across, self.0) >> (1 - exponent).min(31)
-        }
+        #[allow(clippy::cast_possible_truncation, reason = "about 2^30, or less")]
+        let down = ((u64::from(across) * u64::from(self.0 & MANTISSA_MASK)) >> (self.0 & SHIFT_MASK)) as u32;
+        down
+    }
+
+    /// The same for so many pixels, below 2^24.
+    pub(crate) fn down_pixels(self, pixels: u32) -> u32 {
+        let down = (u64::from(pixels) * u64::from(self.0 & MANTISSA_MASK)) >> (self.0 & SHIFT_MASK).saturating_sub(32);
+        u32::try_from(down).unwrap_or(u32::MAX)
     }
 
     /// The same for a whole pixel, of a line that crosses one within a row.
     #[inline(always)]
     pub(crate) fn down_a_pixel(self) -> u32 {
-        self.0 >> (1 - self.exponent()).clamp(0, 31)
+        #[allow(clippy::cast_possible_truncation, reason = "about 2^30, or less")]
+        let down = ((u64::from(self.0 & MANTISSA_MASK) << 32) >> (self.0 & SHIFT_MASK)) as u32;
+        down
     }
 }
 

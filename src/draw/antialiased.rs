@@ -1,7 +1,7 @@
 //! Shapes in one colour, blended at their edges.
 
 use embedded_graphics_core::{
-    Drawable, Pixel,
+    Drawable,
     draw_target::DrawTarget,
     geometry::{Dimensions, Point, Size},
     pixelcolor::PixelColor,
@@ -10,15 +10,30 @@ use embedded_graphics_core::{
 
 use crate::{
     PixelRect,
-    blend::{Blend, Mix, Over},
+    blend::{Blend, Dither, Linear, Mix, MixLinear, Over},
     coverage::CoverageSink,
     shape::Cover,
     span::Span,
 };
 
 /// Gives every shape that has [coverage](Cover) a colour and a way to blend it.
+///
+/// # Examples
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+/// use spanfill::{Over, Triangle, prelude::*};
+///
+/// let triangle = Triangle::new(Point::new(5, 3), Point::new(40, 12), Point::new(17, 35));
+/// let mut display = MockDisplay::new();
+/// triangle.antialiased(Gray8::WHITE, Over(Gray8::BLACK)).draw(&mut display)?;
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
 pub trait AntiAlias: Cover + Sized {
-    /// The shape in one colour, with edges blended by how much of each pixel it covers.
+    /// The shape in one colour, with edges blended by how much of each pixel it covers: see [`AntiAliased`].
+    ///
+    /// With [`Over`], [`Linear`]`(Over)` and [`Dither`] it is an embedded-graphics [`Drawable`] for any [`DrawTarget`];
+    /// with any other [`Blend`] it goes to the targets that this can use by [`draw_on`](AntiAliased::draw_on).
     #[inline]
     fn antialiased<C: PixelColor, B>(self, colour: C, blend: B) -> AntiAliased<Self, C, B> {
         AntiAliased { shape: self, colour, blend, opacity: 255 }
@@ -28,6 +43,43 @@ pub trait AntiAlias: Cover + Sized {
 impl<S: Cover> AntiAlias for S {}
 
 /// A shape in one colour, with anti-aliased edges.
+///
+/// A pixel is drawn with alpha `coverage * opacity / 255`, to the nearest 255th; what that makes of it is up to the
+/// [`Blend`]. Where alpha is 255 it is always the colour itself: shapes that cover a pixel wholly replace what was
+/// there, to the last bit, and whole spans of such pixels are neither read nor blended.
+///
+/// ```text
+///              run                span               run
+///          10  84 201 | 255 255 255 255 255 255 | 130  12      coverage of a row
+///          `-------´    `---------------------´   `-----´
+///      fill_contiguous         fill_solid      fill_contiguous      on a display, with Over
+///       pixel by pixel         fill_solid      pixel by pixel       on a framebuffer, with ReadBack
+/// ```
+///
+/// Drawing asks the target for its bounding box once, and sends it nothing outside. The target's errors pass through,
+/// at once.
+///
+/// # On a display, a framebuffer, a band
+///
+/// - A display behind a bus cannot be read: [`Over`] its background, or [`Dither`].
+/// - A framebuffer in memory can. It needs `GetPixel`, which embedded-graphics' `Framebuffer` has, and takes any number
+///   of shapes on top of each other with [`ReadBack`](crate::ReadBack).
+/// - A band is a framebuffer of a few rows that stands for one part of the screen after the other. Let its bounding box
+///   be that part, in the screen's coordinates, and its `GetPixel` take the same, and draw every shape on every band:
+///   the bands together show what one framebuffer would.
+///
+/// # Examples
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+/// use spanfill::{Circle, Over, prelude::*};
+///
+/// let mut display = MockDisplay::new();
+/// let dot = Circle::new(Point::new(8, 8), 6.5).antialiased(Gray8::WHITE, Over(Gray8::BLACK));
+/// dot.opacity(128).draw(&mut display)?;
+/// assert_eq!(display.get_pixel(Point::new(8, 8)), Some(Gray8::new(128)));
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct AntiAliased<S, C, B> {
     shape: S,
@@ -37,7 +89,20 @@ pub struct AntiAliased<S, C, B> {
 }
 
 impl<S: Cover, C: PixelColor, B> AntiAliased<S, C, B> {
-    /// The same, let through by what is below: 0 draws nothing, 255 is opaque.
+    /// The same, let through by what is behind: 255, as it is without, is opaque, 0 draws nothing.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+    /// use spanfill::{Circle, Over, prelude::*};
+    ///
+    /// let mut display = MockDisplay::new();
+    /// let dot = Circle::new(Point::new(8, 8), 6.5).antialiased(Gray8::WHITE, Over(Gray8::new(100)));
+    /// dot.opacity(51).draw(&mut display)?;
+    /// assert_eq!(display.get_pixel(Point::new(8, 8)), Some(Gray8::new(131)));
+    /// # Ok::<(), core::convert::Infallible>(())
+    /// ```
     #[inline]
     pub fn opacity(self, opacity: u8) -> Self {
         Self { opacity, ..self }
@@ -48,28 +113,59 @@ impl<S: Cover, C: PixelColor, B> AntiAliased<S, C, B> {
     /// # Errors
     ///
     /// The target's, at once.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use embedded_graphics::{
+    ///     framebuffer::{Framebuffer, buffer_size},
+    ///     image::GetPixel,
+    ///     pixelcolor::{Gray8, raw::BigEndian},
+    ///     prelude::*,
+    /// };
+    /// use spanfill::{Circle, ReadBack, prelude::*};
+    ///
+    /// let mut frame = Framebuffer::<Gray8, _, BigEndian, 16, 16, { buffer_size::<Gray8>(16, 16) }>::new();
+    /// frame.clear(Gray8::new(100))?;
+    /// let dot = Circle::new(Point::new(8, 8), 6.5).antialiased(Gray8::WHITE, ReadBack);
+    /// dot.opacity(51).draw_on(&mut frame)?;
+    /// assert_eq!(frame.pixel(Point::new(8, 8)), Some(Gray8::new(131)));
+    /// # Ok::<(), core::convert::Infallible>(())
+    /// ```
     #[inline]
     pub fn draw_on<D: DrawTarget<Color = C>>(&self, target: &mut D) -> Result<(), D::Error>
     where
         B: Blend<D>,
     {
-        if self.opacity == 0 {
+        let Self { ref shape, colour, blend, opacity } = *self;
+        if opacity == 0 {
             return Ok(());
         }
         let clip = PixelRect::from(target.bounding_box());
-        let Self { colour, opacity, .. } = *self;
-        self.shape.coverage(&clip, &mut BlendedFill { target, blend: &self.blend, colour, opacity })
+        shape.coverage(&clip, &mut BlendedFill { target, blend, colour, opacity })
     }
 }
 
-impl<S: Cover, C: Mix> Drawable for AntiAliased<S, C, Over<C>> {
-    type Color = C;
-    type Output = ();
+/// `Drawable` draws on every target there is, so only what blends on all of them has it; that is not a bound which
+/// could be written down.
+macro_rules! impl_drawable {
+    ($($blend:ty where $colour:ident: $bound:ident;)+) => {
+        $(impl<S: Cover, $colour: $bound> Drawable for AntiAliased<S, $colour, $blend> {
+            type Color = $colour;
+            type Output = ();
 
-    #[inline]
-    fn draw<D: DrawTarget<Color = C>>(&self, target: &mut D) -> Result<(), D::Error> {
-        self.draw_on(target)
-    }
+            #[inline]
+            fn draw<D: DrawTarget<Color = $colour>>(&self, target: &mut D) -> Result<(), D::Error> {
+                self.draw_on(target)
+            }
+        })+
+    };
+}
+
+impl_drawable! {
+    Over<C> where C: Mix;
+    Linear<Over<C>> where C: MixLinear;
+    Dither where C: PixelColor;
 }
 
 impl<S: Cover, C, B> Dimensions for AntiAliased<S, C, B> {
@@ -82,28 +178,30 @@ impl<S: Cover, C, B> Dimensions for AntiAliased<S, C, B> {
 /// Coverage to a draw target, in one colour.
 struct BlendedFill<'t, D: DrawTarget, B> {
     target: &'t mut D,
-    blend: &'t B,
+    blend: B,
     colour: D::Color,
     opacity: u8,
 }
 
-impl<D: DrawTarget, B: Blend<D>> BlendedFill<'_, D, B> {
-    #[inline(always)]
-    fn alpha(&self, coverage: u8) -> u8 {
-        if self.opacity == 255 {
-            return coverage;
-        }
-        let product = u32::from(coverage) * u32::from(self.opacity) + 128;
-        ((product + (product >> 8)) >> 8).to_le_bytes()[0]
-    }
+/// Coverage let through, to the nearest 255th: 255 leaves the other as it is. See `mix_one` for the division.
+#[inline(always)]
+fn faded(coverage: u8, opacity: u8) -> u8 {
+    let biased = u16::from(coverage) * u16::from(opacity) + 128;
+    let [_, quotient] = (biased + (biased >> 8)).to_le_bytes();
+    quotient
+}
 
-    fn pixel(&mut self, point: Point, coverage: u8) -> Result<(), D::Error> {
-        let alpha = self.alpha(coverage);
-        match self.blend.at(self.target, point, self.colour, alpha) {
-            Some(colour) => self.target.draw_iter(core::iter::once(Pixel(point, colour))),
-            None => Ok(()),
-        }
-    }
+/// A run that is let through; apart, to keep what opaque shapes run in short and its values in registers.
+#[inline(never)]
+fn run_faded<D: DrawTarget, B: Blend<D>>(
+    blend: B,
+    target: &mut D,
+    start: Point,
+    colour: D::Color,
+    coverage: &[u8],
+    opacity: u8,
+) -> Result<(), D::Error> {
+    blend.run(target, start, colour, coverage.iter().map(|&coverage| faded(coverage, opacity)))
 }
 
 impl<D: DrawTarget, B: Blend<D>> CoverageSink for BlendedFill<'_, D, B> {
@@ -112,21 +210,22 @@ impl<D: DrawTarget, B: Blend<D>> CoverageSink for BlendedFill<'_, D, B> {
     #[inline]
     fn span(&mut self, span: Span, coverage: u8) -> Result<(), D::Error> {
         let Span { row, columns } = span;
-        if let Some(colour) = self.blend.everywhere(self.colour, self.alpha(coverage)) {
-            let size = Size::new(columns.end.wrapping_sub(columns.start).cast_unsigned(), 1);
-            return self.target.fill_solid(&Rectangle::new(Point::new(columns.start, row), size), colour);
+        let start = Point::new(columns.start, row);
+        let width = columns.end.wrapping_sub(columns.start).cast_unsigned();
+        match faded(coverage, self.opacity) {
+            255 => self.target.fill_solid(&Rectangle::new(start, Size::new(width, 1)), self.colour),
+            alpha => self.blend.span(self.target, start, width, self.colour, alpha),
         }
-        for column in columns {
-            self.pixel(Point::new(column, row), coverage)?;
-        }
-        Ok(())
     }
 
     #[inline]
     fn run(&mut self, row: i32, column: i32, coverage: &[u8]) -> Result<(), D::Error> {
-        for (column, coverage) in (column..).zip(coverage) {
-            self.pixel(Point::new(column, row), *coverage)?;
+        let Self { ref mut target, blend, colour, opacity } = *self;
+        let start = Point::new(column, row);
+        if opacity == 255 {
+            blend.run(target, start, colour, coverage.iter().copied())
+        } else {
+            run_faded(blend, *target, start, colour, coverage, opacity)
         }
-        Ok(())
     }
 }

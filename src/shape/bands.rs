@@ -20,16 +20,16 @@
 use core::ops::Range;
 
 use crate::{
-    coverage::{Cells, CoverageSink, FULL, Ramp, Runs, Steepness, column_of, height_of, send_between},
+    coverage::{Cells, CoverageSink, Crossings, FULL, Ramp, Runs, Steepness, column_of, height_of},
     limits::ONE,
     shape::{active::CoverageEdge, outline::FillRule},
 };
 
 impl CoverageEdge {
-    /// The edge's position `height` rows of 1/256 pixel farther down.
+    /// The edge's position `height` rows of 1/256 pixel farther down; for a wide one, at the end of the band.
     #[inline(always)]
-    pub(super) fn below_by(&self, height: i32) -> i64 {
-        if self.edge.is_wide() {
+    pub(super) fn below_by<const WIDE: bool>(&self, height: i32) -> i64 {
+        if WIDE && self.edge.is_wide() {
             self.edge.position().wrapping_add(self.edge.step())
         } else {
             self.edge.position() + self.edge.step() * i64::from(height)
@@ -38,9 +38,12 @@ impl CoverageEdge {
 
     /// The edge between two positions.
     #[inline(always)]
-    pub(super) fn ramp(&self, from: i64, to: i64, height: u32) -> Ramp {
-        let steepness =
-            if self.edge.is_wide() { Steepness::of_positions(height, to.abs_diff(from)) } else { self.edge.steepness };
+    pub(super) fn ramp<const WIDE: bool>(&self, from: i64, to: i64, height: u32) -> Ramp {
+        let steepness = if WIDE && self.edge.is_wide() {
+            Steepness::of_positions(height, to.abs_diff(from))
+        } else {
+            self.edge.steepness
+        };
         Ramp::between(from, to, height, steepness)
     }
 }
@@ -67,58 +70,122 @@ impl Winding {
     }
 }
 
-/// Adds a band, `height` rows of 1/256 pixel high, and takes the edges to its lower end.
-///
-/// They are in order at its upper end.
-pub(super) fn add_band(edges: &mut [CoverageEdge], height: i32, fill_rule: FillRule, cells: &mut Cells<'_>) {
-    let mut winding = Winding::new(fill_rule);
-    if keep_their_order(edges, height) {
+/// A band of a row of pixels: `height` rows of 1/256 pixel, from the one at `y` on.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Band {
+    pub(super) y: i32,
+    pub(super) height: i32,
+}
+
+/// Of an edge that crosses the whole row, the sign that it has had from the top of the row on, plus this, is marked: if
+/// it keeps it to the row's end, it is added once, in place of once a band.
+const SIGN_MARK: i32 = 2;
+
+impl Band {
+    fn offset(self) -> i32 {
+        self.y & (ONE - 1)
+    }
+
+    fn is_first(self) -> bool {
+        self.offset() == 0
+    }
+
+    fn is_last(self) -> bool {
+        self.offset() + self.height == ONE
+    }
+
+    /// Adds the band, and takes the edges to its lower end; they are in order at its upper end.
+    ///
+    /// `WIDE`: some are not in the narrow zone.
+    pub(super) fn add<const WIDE: bool>(self, edges: &mut [CoverageEdge], fill_rule: FillRule, cells: &mut Cells<'_>) {
+        if !keep_their_order::<WIDE>(edges, self.height) {
+            return self.add_crossing::<WIDE>(edges, fill_rule, cells);
+        }
+        let row_bottom = self.y | (ONE - 1);
+        let is_put_off = !WIDE && self.is_first() && !self.is_last();
+        let mut winding = Winding::new(fill_rule);
         for edge in edges {
             let sign = winding.cross(edge.winding());
-            let (from, to) = (edge.edge.position(), edge.below_by(height));
+            let (from, to) = (edge.edge.position(), edge.below_by::<WIDE>(self.height));
             edge.edge.move_to(to);
-            if sign != 0 {
-                cells.add_ramp(&edge.ramp(from, to, height_of(height)), sign);
+            if is_put_off && edge.until > row_bottom {
+                edge.edge.steepness = edge.edge.steepness.marked(sign + SIGN_MARK);
+                continue;
             }
-        }
-        return;
-    }
-    let mut start = 0;
-    while start < edges.len() {
-        let end = block_end(edges.get(start..).unwrap_or_default(), height) + start;
-        match edges.get_mut(start..end) {
-            Some([edge]) => {
-                let sign = winding.cross(edge.winding());
-                let (from, to) = (edge.edge.position(), edge.below_by(height));
+            let mark = edge.edge.steepness.mark();
+            if mark == 0 {
                 if sign != 0 {
-                    cells.add_ramp(&edge.ramp(from, to, height_of(height)), sign);
+                    cells.add_ramp(&edge.ramp::<WIDE>(from, to, height_of(self.height)), sign);
                 }
+            } else if mark != sign + SIGN_MARK {
+                edge.add_put_off(from, self.offset(), cells);
+                if sign != 0 {
+                    cells.add_ramp(&edge.ramp::<WIDE>(from, to, height_of(self.height)), sign);
+                }
+            } else if self.is_last() {
+                edge.add_put_off(to, ONE, cells);
             }
-            Some(block) => add_crossing(block, height, &mut winding, cells),
-            None => return,
         }
-        start = end;
     }
-    for edge in edges {
-        let below = edge.below_by(height);
-        edge.edge.move_to(below);
+
+    /// The same for edges of which some cross.
+    #[inline(never)]
+    fn add_crossing<const WIDE: bool>(self, edges: &mut [CoverageEdge], fill_rule: FillRule, cells: &mut Cells<'_>) {
+        for edge in &mut *edges {
+            edge.add_put_off(edge.edge.position(), self.offset(), cells);
+        }
+        let mut winding = Winding::new(fill_rule);
+        let mut start = 0;
+        while start < edges.len() {
+            let end = block_end::<WIDE>(edges.get(start..).unwrap_or_default(), self.height) + start;
+            match edges.get_mut(start..end) {
+                Some([edge]) => {
+                    let sign = winding.cross(edge.winding());
+                    let (from, to) = (edge.edge.position(), edge.below_by::<WIDE>(self.height));
+                    if sign != 0 {
+                        cells.add_ramp(&edge.ramp::<WIDE>(from, to, height_of(self.height)), sign);
+                    }
+                }
+                Some(block) => add_block::<WIDE>(block, self.height, &mut winding, cells),
+                None => return,
+            }
+            start = end;
+        }
+        for edge in edges {
+            let below = edge.below_by::<WIDE>(self.height);
+            edge.edge.move_to(below);
+        }
+    }
+}
+
+impl CoverageEdge {
+    /// Adds what was put off of it, from the top of the row down `height` rows of 1/256 pixel, to `to`.
+    #[inline(always)]
+    fn add_put_off(&mut self, to: i64, height: i32, cells: &mut Cells<'_>) {
+        let sign = self.edge.steepness.mark() - SIGN_MARK;
+        self.edge.steepness = self.edge.steepness.marked(0);
+        if sign == 1 || sign == -1 {
+            let from = to - self.edge.step() * i64::from(height);
+            cells.add_ramp(&self.ramp::<false>(from, to, height_of(height)), sign);
+        }
     }
 }
 
 /// Whether edges leave the band in the order they entered it in.
 #[inline(always)]
-fn keep_their_order(edges: &[CoverageEdge], height: i32) -> bool {
+fn keep_their_order<const WIDE: bool>(edges: &[CoverageEdge], height: i32) -> bool {
     let mut before = i64::MIN;
     edges.iter().all(|edge| {
-        let below = edge.below_by(height);
+        let below = edge.below_by::<WIDE>(height);
         core::mem::replace(&mut before, below) <= below
     })
 }
 
-/// Sends a whole row of pixels without cells, and takes the edges to its lower end, if no edges cross in it, and no two parts
-/// of the inside share a pixel.
+/// Sends a whole row of pixels without cells, and takes the edges to its lower end, if none cross in it, all are inside the
+/// clip, and no two share more than one column.
 #[inline(always)]
 pub(super) fn send_row<S: CoverageSink>(
+    row: i32,
     edges: &mut [CoverageEdge],
     fill_rule: FillRule,
     columns: &Range<i32>,
@@ -126,42 +193,45 @@ pub(super) fn send_row<S: CoverageSink>(
 ) -> Result<bool, S::Error> {
     let mut winding = Winding::new(fill_rule);
     let mut before = i64::MIN;
-    let mut inside_until = i32::MIN;
+    let mut last = columns.start;
     for edge in &*edges {
-        let (from, to) = (edge.edge.position(), edge.below_by(ONE));
+        let (from, to) = (edge.edge.position(), edge.below_by::<false>(ONE));
         if to < before {
             return Ok(false);
         }
         before = to;
-        match winding.cross(edge.winding()) {
-            1 if column_of(from.min(to)) <= inside_until => return Ok(false),
-            -1 => inside_until = column_of(from.max(to)),
-            _ => {}
+        if winding.cross(edge.winding()) != 0 {
+            if column_of(from.min(to)) < last {
+                return Ok(false);
+            }
+            last = column_of(from.max(to));
         }
     }
-    let mut left = Ramp::NONE;
+    if last >= columns.end {
+        return Ok(false);
+    }
+    runs.start(row);
+    let mut crossings = Crossings::new();
     for edge in edges {
         let sign = winding.cross(edge.winding());
-        let (from, to) = (edge.edge.position(), edge.below_by(ONE));
+        let (from, to) = (edge.edge.position(), edge.below_by::<false>(ONE));
         edge.edge.move_to(to);
-        if sign > 0 {
-            left = edge.ramp(from, to, FULL);
-        } else if sign < 0 {
-            send_between(&left, &edge.ramp(from, to, FULL), columns, runs)?;
+        if sign != 0 {
+            crossings.edge(&edge.ramp::<false>(from, to, FULL), sign, runs)?;
         }
     }
-    runs.finish()?;
+    crossings.finish(runs)?;
     Ok(true)
 }
 
 /// How many of the edges, from the first on, leave the band among themselves.
-fn block_end(edges: &[CoverageEdge], height: i32) -> usize {
+fn block_end<const WIDE: bool>(edges: &[CoverageEdge], height: i32) -> usize {
     let [first, others @ ..] = edges else { return 0 };
-    let mut rightmost = first.below_by(height);
+    let mut rightmost = first.below_by::<WIDE>(height);
     let mut of_block = rightmost;
     let mut end = 1;
     for (index, edge) in others.iter().enumerate() {
-        let below = edge.below_by(height);
+        let below = edge.below_by::<WIDE>(height);
         rightmost = rightmost.max(below);
         if below < of_block {
             end = index + 2;
@@ -179,35 +249,38 @@ const WHOLE: u32 = 1 << 30;
 fn between(from: i64, to: i64, part: u32) -> i64 {
     let distance = to.abs_diff(from);
     #[allow(clippy::cast_possible_truncation, reason = "the lower half")]
-    let low = u64::from(distance as u32) * u64::from(part) >> 30;
-    let moved = ((distance >> 32) * u64::from(part) << 2).wrapping_add(low);
+    let low = (u64::from(distance as u32) * u64::from(part)) >> 30;
+    // At most the distance: what wraps on the way comes back.
+    let moved = ((distance >> 32) * u64::from(part)).wrapping_shl(2).wrapping_add(low);
     if to >= from { from.wrapping_add_unsigned(moved) } else { from.wrapping_sub_unsigned(moved) }
 }
 
 /// Where two neighbours cross that leave the band in the other order, as a part of its height.
-fn crossing_of(left: &CoverageEdge, right: &CoverageEdge, height: i32) -> Option<u32> {
-    let apart = right.below_by(height).wrapping_sub(left.below_by(height));
-    if apart >= 0 {
+fn crossing_of<const WIDE: bool>(left: &CoverageEdge, right: &CoverageEdge, height: i32) -> Option<u32> {
+    let (left_end, right_end) = (left.below_by::<WIDE>(height), right.below_by::<WIDE>(height));
+    if left_end <= right_end {
         return None;
     }
-    let at_top = u64::try_from(right.edge.position().wrapping_sub(left.edge.position())).unwrap_or(0);
-    let sum = at_top.saturating_add(apart.unsigned_abs());
-    // 31 bits of each are enough.
-    let excess = 33_u32.saturating_sub(sum.leading_zeros());
-    let part = ((at_top >> excess) << 30) / (sum >> excess).max(1);
+    let (left_start, right_start) = (left.edge.position(), right.edge.position());
+    let before = if left_start < right_start { left_start.abs_diff(right_start) } else { 0 };
+    let after = left_end.abs_diff(right_end);
+    // So that neither their sum nor the product overflows; 32 bits of the greater are enough.
+    let excess = 34_u32.saturating_sub((before | after).leading_zeros());
+    let (before, after) = (before >> excess, after >> excess);
+    let part = (before << 30) / (before + after).max(1);
     Some(u32::try_from(part).unwrap_or(WHOLE).min(WHOLE))
 }
 
 /// Adds a block of edges that cross, and leaves them in the order of the band's lower end.
 #[inline(never)]
-fn add_crossing(block: &mut [CoverageEdge], height: i32, winding: &mut Winding, cells: &mut Cells<'_>) {
+fn add_block<const WIDE: bool>(block: &mut [CoverageEdge], height: i32, winding: &mut Winding, cells: &mut Cells<'_>) {
     let mut upper = 0;
     loop {
         let next = block
             .windows(2)
             .enumerate()
             .filter_map(|(index, pair)| match pair {
-                [left, right] => Some((crossing_of(left, right, height)?.max(upper), index)),
+                [left, right] => Some((crossing_of::<WIDE>(left, right, height)?.max(upper), index)),
                 _ => None,
             })
             .min();
@@ -216,10 +289,10 @@ fn add_crossing(block: &mut [CoverageEdge], height: i32, winding: &mut Winding, 
         for edge in &*block {
             let sign = across.cross(edge.winding());
             if sign != 0 && upper < lower {
-                let (from, to) = (edge.edge.position(), edge.below_by(height));
+                let (from, to) = (edge.edge.position(), edge.below_by::<WIDE>(height));
                 let part = (u64::from(lower - upper) * u64::from(height_of(height))) >> 30;
                 let part = u32::try_from(part).unwrap_or(FULL);
-                cells.add_ramp(&edge.ramp(between(from, to, upper), between(from, to, lower), part), sign);
+                cells.add_ramp(&edge.ramp::<WIDE>(between(from, to, upper), between(from, to, lower), part), sign);
             }
         }
         let Some((_, index)) = next else {

@@ -13,6 +13,8 @@
 //!                '.'  bottom
 //! ```
 
+use core::ops::Range;
+
 use crate::{
     PixelRect, Vertex,
     coverage::{Chain, CoverageSink, Slope, WideChain, send},
@@ -58,6 +60,7 @@ impl Cover for Line {
         }
         let (upper, lower) = by_height(self.start, self.end);
         let rectangle = Rectangle::around(upper, lower);
+        let rows = clip_range(&rectangle.rows(), &rows);
         if is_narrow(upper) && is_narrow(lower) {
             let [mut left, mut right] = rectangle.chains();
             left.skip_to(rows.start);
@@ -115,6 +118,16 @@ impl Rectangle {
         }
     }
 
+    /// Those that it has a part of.
+    fn rows(&self) -> Range<i32> {
+        let row = |y: i64| {
+            #[allow(clippy::cast_possible_truncation, reason = "that of a coordinate, or the next")]
+            let row = (y >> CORNER_BITS) as i32;
+            row
+        };
+        row(self.top.1)..row(self.bottom.1 - 1) + 1
+    }
+
     /// For corners in the narrow zone, or not far from it.
     fn chains(&self) -> [Chain<CORNER_BITS>; 2] {
         #[allow(clippy::cast_possible_truncation, reason = "at most 2^29 + 2^15")]
@@ -169,6 +182,6 @@ fn half_a_pixel_square_to(dx: u64, dy: u64) -> (i64, i64) {
     let more = square.leading_zeros() / 2;
     let length = (square << (2 * more)).isqrt().max(1);
     // `part` is at most `length / 2^more`, so `part 2^more` is below 2^32.
-    let share = |part: u64| (((part << (more + CORNER_BITS)) / length + 1) / 2).cast_signed();
+    let share = |part: u64| ((part << (more + CORNER_BITS)) / length).div_ceil(2).cast_signed();
     (share(dy), share(dx))
 }

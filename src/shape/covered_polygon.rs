@@ -11,7 +11,7 @@ use crate::{
     shape::{
         ActiveEdges, Cover, Polygon,
         active::{CoverageEdge, contour_of},
-        bands::{add_band, send_row},
+        bands::{Band, send_row},
         outline::{Rows, next_index},
         table::Table,
     },
@@ -123,19 +123,22 @@ impl<'a> Polygon<'a> {
             } else {
                 table.next_event(y + 1, rows.end)
             };
+            let is_wide = table.active_mut().iter().any(|edge| edge.edge.is_wide());
             while y < event {
                 let row = pixel_holding(y);
                 let row_end = (y | (ONE - 1)).saturating_add(1);
                 let bottom = row_end.min(event);
-                table.widen(y, bottom);
-                if bottom - y == ONE {
-                    runs.start(row);
-                    if send_row(table.active_mut(), self.fill_rule, &columns, &mut runs)? {
-                        y = bottom;
-                        continue;
-                    }
+                let band = Band { y, height: bottom - y };
+                if is_wide {
+                    table.widen(y, bottom);
+                    band.add::<true>(table.active_mut(), self.fill_rule, &mut cells);
+                } else if band.height == ONE && send_row(row, table.active_mut(), self.fill_rule, &columns, &mut runs)?
+                {
+                    y = bottom;
+                    continue;
+                } else {
+                    band.add::<false>(table.active_mut(), self.fill_rule, &mut cells);
                 }
-                add_band(table.active_mut(), bottom - y, self.fill_rule, &mut cells);
                 y = bottom;
                 if table.is_idle() {
                     y = event;

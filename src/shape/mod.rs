@@ -12,6 +12,8 @@ mod line;
 mod outline;
 mod polygon;
 mod runs;
+mod supersampled;
+mod supersampled_polygon;
 mod table;
 mod triangle;
 mod waiting;
@@ -22,6 +24,8 @@ pub use covered_polygon::{PolygonCoverageIn, PolygonCoverageWith};
 pub use line::Line;
 pub use outline::FillRule;
 pub use polygon::{Polygon, PolygonInScratch, PolygonWithCapacity};
+pub use supersampled::SupersampledIn;
+pub use supersampled_polygon::{PolygonEdges, SampleEdge};
 pub use triangle::Triangle;
 
 use crate::{

@@ -1,12 +1,18 @@
 //! How each library draws each scene, as its users would: from plain coordinates to pixels.
 //!
 //! What is measured starts from the coordinates of [`scenes`](crate::scenes) for everybody: constructing a primitive,
-//! giving it its style, building a path. Only [`Variant::TinySkiaKeptPath`] and [`Variant::Floor`] get their work
-//! prepared.
+//! giving it its style, building a path. Only [`Variant::TinySkiaKeptPath`], [`Variant::Floor`] and
+//! [`Variant::BlendFloor`] get their work prepared. Memory that a library can be given again is kept.
 
+mod ab_glyph;
 mod embedded_graphics;
+pub(crate) mod outline;
 mod spanfill;
+mod spanfill_aa;
 mod tiny_skia;
+mod tiny_skia_aa;
+mod vello_cpu;
+mod zeno;
 
 use std::convert::Infallible;
 
@@ -26,6 +32,36 @@ pub(crate) fn drawing(scene: Scene, variant: Variant) -> Option<Box<dyn Drawing>
         Variant::TinySkia => Some(tiny_skia::drawing(scene)),
         Variant::TinySkiaKeptPath => Some(tiny_skia::drawing_kept_paths(scene)),
         Variant::Floor => Some(spanfill::floor(scene)),
+        Variant::Aliased => Some(spanfill::copied_drawing(scene)),
+        Variant::AntiAliased => Some(spanfill_aa::drawing(scene)),
+        Variant::AntiAliasedOver => Some(spanfill_aa::drawing_over(scene)),
+        Variant::Mask => Some(spanfill_aa::mask(scene)),
+        Variant::BlendFloor => Some(spanfill_aa::blend_floor(scene)),
+        Variant::TinySkiaAntiAliased => Some(tiny_skia_aa::drawing(scene)),
+        Variant::Vello => Some(vello_cpu::drawing(scene)),
+        Variant::VelloAlone => Some(vello_cpu::drawing_alone(scene)),
+        Variant::Zeno => Some(zeno::drawing(scene)),
+        Variant::AbGlyph => Some(ab_glyph::drawing(scene)),
+    }
+}
+
+/// What the variant's accuracy is judged by: itself, or, where the picture has too few bits, the mask that it blends.
+pub(crate) fn judged(scene: Scene, variant: Variant) -> Option<Box<dyn Drawing>> {
+    match variant {
+        Variant::AntiAliased | Variant::AntiAliasedOver | Variant::BlendFloor => drawing(scene, Variant::Mask),
+        _ => drawing(scene, variant),
+    }
+}
+
+/// Fails unless the variant's frames show the mask that its accuracy is judged by.
+pub(crate) fn check_frames(scene: Scene, variant: Variant, shapes: usize) -> Result<(), String> {
+    if !matches!(variant, Variant::AntiAliased | Variant::AntiAliasedOver | Variant::BlendFloor) {
+        return Ok(());
+    }
+    let mut frames = drawing(scene, variant).expect("spanfill draws every scene");
+    match spanfill_aa::disagreement(scene, &mut *frames, shapes) {
+        None => Ok(()),
+        Some((shape, pixel)) => Err(format!("{variant}: shape {shape} is not its mask, blended, at {pixel:?}")),
     }
 }
 
@@ -44,6 +80,14 @@ const COLOUR: Rgb565 = Rgb565::CSS_ORANGE;
 /// As many of the scene's endless shapes as are drawn.
 fn some<T>(scene: Scene, endless: impl Iterator<Item = T>) -> Vec<T> {
     endless.take(shapes(scene)).collect()
+}
+
+/// How often the star and the 64-gon are in the anti-aliased scenes: as often as vello_cpu is given them at once.
+pub(crate) const COPIES: usize = 32;
+
+/// One shape, time and again.
+fn copies<T>(shape: impl Fn() -> T) -> Vec<T> {
+    (0..COPIES).map(|_| shape()).collect()
 }
 
 fn point([x, y]: PixelPoint) -> Point {

@@ -5,12 +5,21 @@ use spanfill::{ActiveEdge, Circle, Fill, Line, Polygon, Triangle, Vertex};
 
 use crate::{
     drawing::{Drawing, On},
-    lineup::{COLOUR, point, some},
+    lineup::{COLOUR, copies, point, some},
     scenes::{CONCAVE_64, Frame, PixelPoint, RecordBlocks, STAR, Scene, SubpixelPoint, circles, lines, triangles},
 };
 
 pub(super) fn drawing(scene: Scene) -> Box<dyn Drawing> {
     with_figures(scene, Draw)
+}
+
+/// The same with the outlines as often as the anti-aliased scenes have them.
+pub(super) fn copied_drawing(scene: Scene) -> Box<dyn Drawing> {
+    match scene {
+        Scene::Star => Draw.visit(copies(|| OutlineFigure(STAR))),
+        Scene::Concave64 => Draw.visit(copies(|| OutlineFigure(CONCAVE_64))),
+        _ => drawing(scene),
+    }
 }
 
 pub(super) fn floor(scene: Scene) -> Box<dyn Drawing> {

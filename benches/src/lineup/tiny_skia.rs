@@ -57,11 +57,11 @@ pub(super) fn drawing_kept_paths(scene: Scene) -> Box<dyn Drawing> {
     })
 }
 
-fn pixmap() -> Pixmap {
+pub(super) fn pixmap() -> Pixmap {
     Pixmap::new(FRAME_WIDTH.unsigned_abs(), FRAME_HEIGHT.unsigned_abs()).expect("the frame has a size")
 }
 
-fn paint() -> Paint<'static> {
+pub(super) fn paint() -> Paint<'static> {
     let colour = Color::from_rgba8(255, 165, 0, 255);
     Paint { shader: Shader::SolidColor(colour), anti_alias: false, ..Paint::default() }
 }
