@@ -7,7 +7,7 @@
 //! ```text
 //! Shape -clip-> Edge -one step a row-> Span, or a block of equal rows -> colour -> DrawTarget::fill_solid
 //!
-//! limits · subpixel · geometry · turn · edge · span, error · coverage · shape, blend · draw
+//! limits · subpixel · geometry · turn · edge · span, error · coverage · shape, blend · draw · eg
 //! ```
 //!
 //! A module uses only what stands to its left. Shapes know no colours and no targets: they push [`Span`]s or blocks
@@ -67,6 +67,8 @@ mod blend;
 mod coverage;
 mod draw;
 mod edge;
+#[cfg(feature = "embedded-graphics")]
+pub mod eg;
 mod error;
 mod geometry;
 mod limits;

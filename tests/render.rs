@@ -309,7 +309,7 @@ fn what_is_not_drawn_is_named_once() {
         </defs>
         <rect width="1" height="1" fill="url(#a)"/><rect width="2" height="1" y="1" stroke="url(#a)" stroke-width="2"/>
         <rect width="9" height="9" fill="url(#p)"/>
-        <rect width="2" height="2" opacity=".5"/><rect width="2" height="2" fill-opacity=".5"/>
+        <g opacity=".5"><rect width="2" height="2"/><rect width="2" height="2"/></g>
         <rect width="2" height="2" clip-path="url(#c)"/><rect width="2" height="2" mask="url(#m)"/>
         <rect width="2" height="2" filter="url(#f)"/><rect width="2" height="2" style="mix-blend-mode:multiply"/>
         <text x="1" y="5">letters</text><text x="1" y="8">more</text><image href="nowhere.png" width="2" height="2"/>"#;
@@ -337,6 +337,217 @@ fn nothing_is_seen_of_what_is_hidden_or_transparent() {
     let content = r#"<g opacity="0"><rect width="2" height="2"/></g><rect width="2" height="2" fill-opacity="0"/>
         <rect width="2" height="2" visibility="hidden"/><rect width="2" height="2" display="none"/>"#;
     assert_eq!(pattern_of(r#"width="2" height="2""#, content), ["..", ".."]);
+}
+
+const MODES: [&str; 5] = ["none", "exact", "4", "16", "weighted"];
+
+/// How much of each pixel is covered, in 255ths: what is black on white, in a display of 24 bits.
+fn coverage_of(attributes: &str, content: &str, aa: &str) -> Vec<Vec<u8>> {
+    let folder = Folder::with_drawing(attributes, content);
+    let (picture, _, stderr) = folder.picture(&["in.svg", "--color", "rgb888", "--aa", aa], "render.png");
+    assert_eq!(stderr, "");
+    picture.rows().map(|row| row.map(|pixel| 255 - pixel.0[0]).collect()).collect()
+}
+
+#[test]
+fn without_anti_aliasing_every_pixel_of_the_map_is_as_ever() {
+    let folder = Folder::new();
+    let (picture, stdout, _) = folder.picture(&["--aa", "none"], "render.png");
+    let shown = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/world.png");
+    assert!(picture == image::open(shown).expect("the picture in the README").into_rgb8());
+    assert!(first_line(&stdout).contains("pixels, rgb565: "), "{stdout}");
+}
+
+/// Land, sea and page are the same; along the edges of the map, and only there, colours are mixed.
+#[test]
+fn every_mode_draws_the_map() {
+    let folder = Folder::new();
+    let (hard, _, _) = folder.picture(&[], "render.png");
+    let inside = [(20, 20), (330, 190), (502, 138), (400, 400), (465, 136), (45, 356)];
+    for aa in &MODES[1..] {
+        let (soft, stdout, stderr) = folder.picture(&["--aa", aa], "render.png");
+        assert_eq!(stderr, "", "{aa}");
+        assert!(first_line(&stdout).contains(if *aa == "exact" { "exact areas" } else { "samples" }), "{stdout}");
+        for (x, y) in inside {
+            assert_eq!(soft.get_pixel(x, y), hard.get_pixel(x, y), "{aa}: {x} {y}");
+        }
+        let distance = |a: &image::Rgb<u8>, b: &image::Rgb<u8>| {
+            a.0.iter().zip(b.0).map(|(a, b)| u32::from(a.abs_diff(b))).max().unwrap_or(0)
+        };
+        let changed = soft.pixels().zip(hard.pixels()).filter(|(a, b)| distance(a, b) > 8).count();
+        let all = soft.pixels().len();
+        // Borders, coasts and the graticule.
+        assert!((all / 50..all / 8).contains(&changed), "{aa}: {changed} of {all}");
+    }
+}
+
+#[test]
+fn coverage_is_the_area_or_the_share_of_samples() {
+    // From 1/4 to 2 1/2 across, from 1/2 to 1 3/4 down.
+    let content = r#"<rect x=".25" y=".5" width="2.25" height="1.25"/>"#;
+    let drawn = |aa| coverage_of(r#"width="4" height="3""#, content, aa);
+    // 3/4, 1 and 1/2 of a pixel's width times 1/2 and 3/4 of its height, and 0.
+    let areas = [[96, 128, 64, 0], [143, 191, 96, 0], [0; 4]];
+    assert_eq!(drawn("exact"), areas);
+    // All sides lie between samples.
+    assert_eq!(drawn("4"), areas);
+    assert_eq!(drawn("16"), areas);
+    // Of the weights 1 2 2 1, 2 3 3 2, 2 3 3 2, 1 2 2 1: 13, 16, 8 of 32 above, and 20 + .. below.
+    assert_eq!(drawn("weighted"), [[104, 128, 64, 0], [167, 207, 104, 0], [0; 4]]);
+    // Of columns 1, 2 and 3 the last centre is on the right side, and of rows 1 and 2 the first on the upper one.
+    assert_eq!(drawn("none"), [[255, 255, 0, 0], [255, 255, 0, 0], [0; 4]]);
+}
+
+#[test]
+fn triangles_circles_and_lines_cover_their_areas() {
+    // Half a square, a steep edge, and an even one.
+    let halves = coverage_of(r#"width="3" height="3""#, r#"<polygon points="0,0 3,0 0,3"/>"#, "exact");
+    assert_eq!(halves, [[255, 255, 128], [255, 128, 0], [128, 0, 0]]);
+    let slope = coverage_of(r#"width="4" height="1""#, r#"<polygon points="0,1 4,1 4,0"/>"#, "exact");
+    assert_eq!(slope, [[32, 96, 159, 223]]);
+
+    let sum = |content: &str, aa| -> f64 {
+        let rows = coverage_of(r#"width="40" height="40""#, content, aa);
+        rows.concat().iter().map(|&coverage| f64::from(coverage) / 255.0).sum()
+    };
+    // Mitred corners have as much outside of the path as they lack inside.
+    let perimeter = 36f64.hypot(7.0) + 27f64.hypot(26.0) + 9f64.hypot(33.0);
+    let shapes = [
+        (r#"<circle cx="19.3" cy="20.6" r="15.4"/>"#, std::f64::consts::PI * 15.4 * 15.4),
+        (r#"<line x1="3.2" y1="5.1" x2="33.2" y2="28.6" stroke="black"/>"#, 30f64.hypot(23.5)),
+        (r#"<line x1="3.2" y1="5.1" x2="33.2" y2="28.6" stroke="black" stroke-width=".25"/>"#, 30f64.hypot(23.5) / 4.0),
+        (r#"<path d="M2 2L38 9L11 35Z" fill="none" stroke="black" stroke-width=".5"/>"#, 0.5 * perimeter),
+    ];
+    for (content, area) in shapes {
+        for aa in ["exact", "16"] {
+            let drawn = sum(content, aa);
+            assert!((drawn - area).abs() < 0.02 * area, "{aa}: {drawn}, not {area}: {content}");
+        }
+    }
+}
+
+/// Random shapes of all kinds: many samples are near the area, fewer are farther away.
+#[test]
+fn samples_come_close_to_areas() {
+    let mut state = 7_u64;
+    let mut random = |most: u64| {
+        state = state.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
+        ((state >> 33) * most * 8 >> 31) as f64 / 8.0
+    };
+    let mut errors = [Vec::new(), Vec::new(), Vec::new()];
+    for _ in 0..12 {
+        let mut content = String::new();
+        let points: Vec<String> = (0..7).map(|_| format!("{},{}", random(60), random(60))).collect();
+        content += &format!(r#"<polygon fill-rule="evenodd" points="{}"/>"#, points.join(" "));
+        content += &format!(r#"<polygon points="{} {}"/>"#, points[0], points[1..3].join(" "));
+        content += &format!(r#"<circle cx="{}" cy="{}" r="{}"/>"#, random(60), random(60), random(9));
+        let [x1, y1, x2, y2] = [60; 4].map(&mut random);
+        content += &format!(r#"<line x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}" stroke="black"/>"#);
+        let drawn = |aa| coverage_of(r#"width="60" height="60""#, &content, aa).concat();
+        let exact = drawn("exact");
+        for (errors, aa) in errors.iter_mut().zip(["16", "4", "weighted"]) {
+            let pairs = drawn(aa).into_iter().zip(&exact);
+            errors.extend(pairs.filter(|(_, exact)| (1..255).contains(*exact)).map(|(a, b)| a.abs_diff(*b)));
+        }
+    }
+    for errors in &mut errors {
+        errors.sort_unstable();
+    }
+    let [sixteen, four, weighted] = errors.map(|errors| {
+        let of_100 = |share| errors[errors.len() * share / 100];
+        assert!(errors.len() > 3000, "{} pixels of an edge", errors.len());
+        (of_100(50), of_100(95), errors[errors.len() - 1])
+    });
+    assert!(sixteen.0 <= 1 && sixteen.1 <= 4 && sixteen.2 <= 24, "{sixteen:?}");
+    assert!((2..=10).contains(&four.0) && (8..=40).contains(&four.1), "{four:?}");
+    assert!((2..=14).contains(&weighted.0) && weighted.1 <= 50, "{weighted:?}");
+}
+
+#[test]
+fn opacity_lets_through_what_is_below() {
+    let content = r#"<rect width="2" height="1" fill-opacity=".5"/>
+        <g opacity=".5"><rect x="1" width="2" height="1"/></g>
+        <line x1="3" y1=".5" x2="5" y2=".5" stroke="black" stroke-opacity=".2"/>
+        <circle cx="7" cy=".5" r="9" opacity=".4" fill-opacity=".5" clip-path="url(#c)"/>
+        <clipPath id="c"><rect x="6" width="1" height="1"/></clipPath>"#;
+    for aa in MODES {
+        let drawn = coverage_of(r#"width="8" height="1""#, content, aa);
+        // Half of the half that shows through is 63.5 of 127; mixed from 127 it is 64 less.
+        let [first, twice, second, line, _, _, circle, nothing] = *drawn[0].as_slice() else { panic!("eight pixels") };
+        assert_eq!([first, twice, second, line, circle, nothing], [128, 192, 128, 51, 51, 0], "{aa}");
+    }
+}
+
+#[test]
+fn blended_shapes_stay_in_their_clip() {
+    let content = r#"<svg x="1" y="1" width="3" height="2"><circle cx="1.5" cy="1" r="1.7"/></svg>"#;
+    for aa in MODES {
+        let drawn = coverage_of(r#"width="5" height="4""#, content, aa);
+        let inside = |x: usize, y: usize| (1..4).contains(&x) && (1..3).contains(&y);
+        for (y, row) in drawn.iter().enumerate() {
+            for (x, &coverage) in row.iter().enumerate() {
+                assert_eq!(coverage > 0, inside(x, y), "{aa}: {x} {y}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_colour_type_is_blended() {
+    let content = r#"<rect x=".5" width="1" height="1"/>"#;
+    let folder = Folder::with_drawing(r#"width="2" height="1""#, content);
+    // Half of 31 and 63 steps, of 255 and of 15, as they are shown; of two steps the farther one.
+    let half = Rgb888::from(Rgb565::new(15, 31, 15));
+    let gray4 = Rgb888::from(Gray4::new(7));
+    let expected = [
+        ("rgb565", half),
+        ("rgb888", Rgb888::new(127, 127, 127)),
+        ("gray8", Rgb888::new(127, 127, 127)),
+        ("gray4", gray4),
+        ("binary", Rgb888::BLACK),
+    ];
+    for (name, expected) in expected {
+        let (picture, _, _) = folder.picture(&["in.svg", "--aa", "exact", "--color", name], "render.png");
+        for x in [0, 1] {
+            assert_eq!(picture.get_pixel(x, 0).0, [expected.r(), expected.g(), expected.b()], "{name} {x}");
+        }
+    }
+}
+
+#[test]
+fn a_crop_is_that_part_of_the_display_magnified() {
+    let folder = Folder::new();
+    for aa in ["none", "exact"] {
+        let (whole, _, _) = folder.picture(&["--aa", aa], "render.png");
+        let detail = ["--aa", aa, "--crop", "440,120,32,20", "--scale", "3"];
+        let (detail, stdout, _) = folder.picture(&detail, "render.png");
+        assert!(stdout.contains("800x424"), "{stdout}");
+        assert_eq!(detail.dimensions(), (96, 60));
+        for (x, y, pixel) in detail.enumerate_pixels() {
+            assert_eq!(pixel, whole.get_pixel(440 + x / 3, 120 + y / 3), "{aa}: {x} {y}");
+        }
+    }
+}
+
+/// The pictures in `docs` are what the program draws today, but for a step of a channel.
+#[test]
+fn the_magnified_edges_are_those_of_today() {
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let drawing = package.join("examples/assets/edges.svg");
+    let folder = Folder::new();
+    for aa in MODES {
+        let shown = package.join(format!("docs/edges-{aa}.png"));
+        let drawing = drawing.to_str().expect("UTF-8");
+        let (picture, _, stderr) = folder.picture(&[drawing, "out.png", "--scale", "8", "--aa", aa], "out.png");
+        assert_eq!(stderr, "");
+        let shown = image::open(&shown).expect("a picture of docs").into_rgb8();
+        assert_eq!(shown.dimensions(), picture.dimensions());
+        let step = if aa == "exact" { 9 } else { 0 };
+        for ((x, y, a), b) in picture.enumerate_pixels().zip(shown.pixels()) {
+            let near = a.0.iter().zip(b.0).all(|(a, b)| a.abs_diff(b) <= step);
+            assert!(near, "{aa}: {x} {y} is {a:?}, not {b:?}: draw it anew with --scale 8 --aa {aa}");
+        }
+    }
 }
 
 #[test]
@@ -368,6 +579,9 @@ fn failures_are_one_line_and_leave_no_picture() {
         (&["in.svg", "--scale", "0"], "'0'"),
         (&["in.svg", "--color", "cmyk"], "'cmyk'"),
         (&["in.svg", "--background", "red"], "#rrggbb"),
+        (&["in.svg", "--aa", "5"], "'5'"),
+        (&["in.svg", "--crop", "1,2,3"], "X,Y,WIDTH,HEIGHT"),
+        (&["in.svg", "--crop", "3,0,2,4"], "not on the display"),
         (&["in.svg", "--no-such-option"], "--no-such-option"),
         (&["in.svg", "a.png", "b.png"], "b.png"),
         (&["in.svg", "no/such/folder/out.png"], "no/such/folder/out.png: "),
@@ -399,7 +613,19 @@ fn help_is_no_failure() {
     let output = Folder::new().run(&["--help"]);
     let help = String::from_utf8(output.stdout).expect("UTF-8");
     assert!(output.status.success());
-    for word in ["IN.svg", "OUT.png", "--size", "--color", "gray4", "--background", "--scale"] {
+    for word in [
+        "IN.svg",
+        "OUT.png",
+        "--size",
+        "--color",
+        "gray4",
+        "--background",
+        "--scale",
+        "--aa",
+        "exact",
+        "weighted",
+        "--crop",
+    ] {
         assert!(help.contains(word), "{word} in {help}");
     }
 }

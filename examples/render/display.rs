@@ -8,85 +8,87 @@ use std::{
 use embedded_graphics::{
     pixelcolor::{BinaryColor, Gray4, Gray8, Rgb565, Rgb888},
     prelude::*,
+    primitives::Rectangle,
 };
 use embedded_graphics_simulator::{OutputSettings, OutputSettingsBuilder, SimulatorDisplay};
-use spanfill::{ActiveEdge, Circle, Fill, Line, Polygon, Triangle, Vertex};
+use spanfill::Mix;
 
 use super::{
-    cli::ColorDepth,
-    scene::{Outline, Scene},
+    cli::{Args, ColorDepth},
+    paint::{Scratch, Window, paint},
+    scene::Scene,
 };
 
-/// Draws the scene, writes what the display shows to `png`, and says how long the drawing took.
+/// Draws the scene, writes what a part of the display shows to `png`, and says how long the drawing took.
 pub(crate) fn render(
     scene: &Scene,
-    depth: ColorDepth,
-    background: Rgb888,
-    scale: u32,
+    args: &Args,
+    part: &Rectangle,
     png: &Path,
 ) -> Result<Duration, Box<dyn std::error::Error>> {
-    let settings = OutputSettingsBuilder::new().scale(scale).build();
-    match depth {
-        ColorDepth::Rgb565 => in_colour::<Rgb565>(scene, background, &settings, png),
-        ColorDepth::Rgb888 => in_colour::<Rgb888>(scene, background, &settings, png),
-        ColorDepth::Gray8 => in_grey::<Gray8>(scene, background, &settings, png),
-        ColorDepth::Gray4 => in_grey::<Gray4>(scene, background, &settings, png),
-        ColorDepth::Binary => in_grey::<BinaryColor>(scene, background, &settings, png),
+    let settings = OutputSettingsBuilder::new().scale(args.scale.get()).build();
+    match args.color {
+        ColorDepth::Rgb565 => in_colour::<Rgb565>(scene, args, part, &settings, png),
+        ColorDepth::Rgb888 => in_colour::<Rgb888>(scene, args, part, &settings, png),
+        ColorDepth::Gray8 => in_grey::<Gray8>(scene, args, part, &settings, png),
+        ColorDepth::Gray4 => in_grey::<Gray4>(scene, args, part, &settings, png),
+        ColorDepth::Binary => in_grey::<BinaryColor>(scene, args, part, &settings, png),
     }
 }
 
-fn in_colour<C: PixelColor + From<Rgb888> + Into<Rgb888>>(
+fn in_colour<C: Mix + From<Rgb888> + Into<Rgb888>>(
     scene: &Scene,
-    background: Rgb888,
+    args: &Args,
+    part: &Rectangle,
     settings: &OutputSettings,
     png: &Path,
 ) -> Result<Duration, Box<dyn std::error::Error>> {
-    let (display, taken) = drawn::<C>(scene, background)?;
-    display.to_rgb_output_image(settings).save_png(png)?;
+    let (display, taken) = drawn::<C>(scene, args)?;
+    cropped(display, part)?.to_rgb_output_image(settings).save_png(png)?;
     Ok(taken)
 }
 
-fn in_grey<C: PixelColor + From<Rgb888> + Into<Rgb888>>(
+fn in_grey<C: Mix + From<Rgb888> + Into<Rgb888>>(
     scene: &Scene,
-    background: Rgb888,
+    args: &Args,
+    part: &Rectangle,
     settings: &OutputSettings,
     png: &Path,
 ) -> Result<Duration, Box<dyn std::error::Error>> {
-    let (display, taken) = drawn::<C>(scene, background)?;
-    display.to_grayscale_output_image(settings).save_png(png)?;
+    let (display, taken) = drawn::<C>(scene, args)?;
+    cropped(display, part)?.to_grayscale_output_image(settings).save_png(png)?;
     Ok(taken)
 }
 
 /// A display with the scene on it. The conversions of embedded-graphics go to the nearest colour, through luma for
 /// greys.
-fn drawn<C: PixelColor + From<Rgb888>>(
+fn drawn<C: Mix + From<Rgb888>>(
     scene: &Scene,
-    background: Rgb888,
+    args: &Args,
 ) -> Result<(SimulatorDisplay<C>, Duration), Box<dyn std::error::Error>> {
-    let mut display = SimulatorDisplay::with_default_color(scene.size, background.into());
-    let mut scratch = Vec::new();
+    let mut display = SimulatorDisplay::with_default_color(scene.size, args.background.into());
+    let mut scratch = Scratch::default();
     let start = Instant::now();
     for item in &scene.items {
-        let mut target = display.clipped(&item.clip);
-        let colour = C::from(item.colour);
-        match &item.outline {
-            Outline::Triangle([a, b, c]) => Triangle::new(*a, *b, *c).filled(colour).draw(&mut target)?,
-            Outline::Line([start, end]) => Line::new(*start, *end).filled(colour).draw(&mut target)?,
-            Outline::Circle { center, radius } => Circle::new(*center, *radius).filled(colour).draw(&mut target)?,
-            Outline::Polygon { contours, rule } => {
-                let contours: Vec<&[Vertex]> = contours.iter().map(Vec::as_slice).collect();
-                let polygon = Polygon::with_contours(&contours).fill_rule(*rule);
-                // Not the exact number, which takes a pass over the vertices for each of their turns.
-                let needed = polygon.active_edges_at_most();
-                if scratch.len() < needed {
-                    scratch.resize(needed, ActiveEdge::EMPTY);
-                }
-                polygon.in_scratch(&mut scratch)?.filled(colour).draw(&mut target)?;
-            }
-        }
+        let part = display.bounding_box().intersection(&item.clip);
+        let mut window = Window { display: &mut display, part };
+        paint(item, args.aa, &mut window, &mut scratch)?;
     }
     let taken = start.elapsed();
     Ok((display, taken))
+}
+
+fn cropped<C: PixelColor>(
+    display: SimulatorDisplay<C>,
+    part: &Rectangle,
+) -> Result<SimulatorDisplay<C>, Box<dyn std::error::Error>> {
+    if *part == display.bounding_box() {
+        return Ok(display);
+    }
+    let first = display.get_pixel(part.top_left);
+    let mut detail = SimulatorDisplay::with_default_color(part.size, first);
+    detail.fill_contiguous(&Rectangle::new(Point::zero(), part.size), part.points().map(|p| display.get_pixel(p)))?;
+    Ok(detail)
 }
 
 #[cfg(test)]

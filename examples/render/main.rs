@@ -8,6 +8,7 @@ mod display;
 mod ellipse;
 mod flatten;
 mod missing;
+mod paint;
 mod scene;
 mod stroke;
 mod svg;
@@ -23,8 +24,9 @@ use std::{
 
 use clap::Parser;
 
-use cli::Args;
+use cli::{Aa, Args};
 use scene::{Counts, Scene};
+use stroke::Hairlines;
 
 const BUNDLED: &str = include_str!("../assets/world.svg");
 
@@ -61,14 +63,17 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
             (path.display().to_string(), source)
         }
     };
-    let (scene, missing) = svg::scene_from(&source, args.size).map_err(|error| format!("{name}: {error}"))?;
+    let hairlines = if args.aa == Aa::None { Hairlines::OnePixel } else { Hairlines::AsWideAsTheyAre };
+    let (scene, missing) =
+        svg::scene_from(&source, args.size, hairlines).map_err(|error| format!("{name}: {error}"))?;
+    let part = cli::part_of(scene.size, args.crop)?;
     let scale = args.scale.get();
-    cli::check_size(scene.size, scale)?;
+    cli::check_size(part.size, scale)?;
 
     // Written beside the target and renamed: whatever fails, no broken PNG is left, and an older one stays.
     let output = &args.output;
     let unfinished = Unfinished::beside(output);
-    let taken = display::render(&scene, args.color, args.background, scale, &unfinished.path)
+    let taken = display::render(&scene, args, &part, &unfinished.path)
         .and_then(|taken| Ok(fs::rename(&unfinished.path, output).map(|()| taken)?))
         .map_err(|error| format!("{}: {error}", output.display()))?;
 
@@ -76,7 +81,8 @@ fn run(args: &Args) -> Result<(), Box<dyn Error>> {
         eprintln!("render: not drawn yet: {kind}");
     }
     let (width, height) = (scene.size.width, scene.size.height);
-    println!("{name} on a display of {width}x{height} pixels, {}: {}", args.color.name(), summary(&scene));
+    let edges = args.aa.name().map(|name| format!(", {name}")).unwrap_or_default();
+    println!("{name} on a display of {width}x{height} pixels, {}{edges}: {}", args.color.name(), summary(&scene));
     println!("drawn in {:.3} ms, saved as {}", taken.as_secs_f64() * 1e3, output.display());
     Ok(())
 }

@@ -22,7 +22,7 @@ pub(crate) enum Missing {
 impl fmt::Display for Missing {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Opacity => "opacity (drawn opaque)",
+            Self::Opacity => "opacity of groups and of gradients (drawn opaque)",
             Self::Gradient => "gradients (the average colour is drawn)",
             Self::Pattern => "patterns (left out)",
             Self::ClipPath => "clip paths other than upright rectangles (drawn unclipped)",

@@ -15,6 +15,8 @@ pub(crate) struct Scene {
 pub(crate) struct Item {
     pub(crate) outline: Outline,
     pub(crate) colour: Rgb888,
+    /// Of 255; not 0.
+    pub(crate) opacity: u8,
     /// No pixel outside of this rectangle is touched.
     pub(crate) clip: Rectangle,
 }

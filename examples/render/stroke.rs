@@ -17,19 +17,28 @@ pub(crate) enum Stroked {
     Outline(BezPath),
 }
 
+/// What becomes of a stroke that is thinner than a pixel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Hairlines {
+    /// It is drawn one pixel wide: where a pixel is filled when its centre is inside, a thinner outline would have gaps where
+    /// it passes between centres.
+    OnePixel,
+    /// It is outlined as any other: where edges are blended, it is paler.
+    AsWideAsTheyAre,
+}
+
 /// The stroker keeps its curves within 1/(4 * scale) of the true offset curve: 1/32 pixel.
 const RESOLUTION_SCALE: f32 = 8.0;
 
 /// Strokes `path`, given in user units.
 ///
-/// A straight line at most one pixel wide is a hairline: the thin line of the crate, which has a pixel in each column
-/// (or row). So is whatever is thinner than a pixel: a pixel is filled when its centre is inside, and an outline thinner than
-/// a pixel would have gaps where it passes between centres. The ends of a hairline have no caps, they would be
-/// half a pixel at most.
-pub(crate) fn stroke(path: &BezPath, style: &usvg::Stroke, to_device: Affine) -> Option<Stroked> {
+/// A straight line of one pixel is the thin line of the crate, which without anti-aliasing has a pixel in each column (or
+/// row). So may be whatever is thinner than a pixel. The ends of such hairlines have no caps, they would be half a pixel at
+/// most.
+pub(crate) fn stroke(path: &BezPath, style: &usvg::Stroke, to_device: Affine, hairlines: Hairlines) -> Option<Stroked> {
     // Stroked at the display's resolution, and only turned or squeezed afterwards: the stroker has single-precision
     // numbers and absolute tolerances, which a drawing in units of miles or microns would meet.
-    let (resolution, _) = stretches(to_device);
+    let (resolution, least) = stretches(to_device);
     if !(resolution.is_finite() && resolution > 0.0) {
         return None;
     }
@@ -50,7 +59,15 @@ pub(crate) fn stroke(path: &BezPath, style: &usvg::Stroke, to_device: Affine) ->
     // In 1/256 pixel, as coordinates are: a width of one pixel times a scale in single precision may exceed it a little.
     let width = (stroke.width * 256.0).round();
     let straight = matches!(path.elements(), [PathEl::MoveTo(_), PathEl::LineTo(_)]);
-    if width < 256.0 || (straight && width == 256.0) {
+    let is_line = match hairlines {
+        Hairlines::OnePixel => width < 256.0 || (straight && width == 256.0),
+        // As wide everywhere, and without caps.
+        Hairlines::AsWideAsTheyAre => {
+            let is_squeezed = least < resolution * (1.0 - 1.0 / 512.0);
+            straight && width == 256.0 && style.linecap() == LineCap::Butt && !is_squeezed
+        }
+    };
+    if is_line {
         let mut chain = to_device * bez_path(&dashed);
         if style.linecap() == LineCap::Butt {
             chain = without_dots(&chain);
@@ -134,10 +151,14 @@ mod tests {
     use kurbo::Shape;
 
     fn stroked(element: &str, to_device: Affine) -> Option<Stroked> {
+        stroked_as(element, to_device, Hairlines::OnePixel)
+    }
+
+    fn stroked_as(element: &str, to_device: Affine, hairlines: Hairlines) -> Option<Stroked> {
         let source = format!(r#"<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9">{element}</svg>"#);
         let tree = usvg::Tree::from_str(&source, &usvg::Options::default()).expect("valid");
         let [usvg::Node::Path(path)] = tree.root().children() else { panic!("one path in {element}") };
-        stroke(&bez_path(path.data()), path.stroke().expect("a stroke"), to_device)
+        stroke(&bez_path(path.data()), path.stroke().expect("a stroke"), to_device, hairlines)
     }
 
     fn lines(element: &str, to_device: Affine) -> Vec<[Vertex; 2]> {
@@ -162,6 +183,18 @@ mod tests {
         assert_eq!(lines(LINE, Affine::scale(0.5)), [[Vertex::new(0.5, 1), Vertex::new(2.5, 2)]]);
         let area = outline(LINE, Affine::scale(2.0)).area().abs();
         assert!((area - 2.0 * 80f64.sqrt()).abs() < 1e-3, "{area}");
+    }
+
+    #[test]
+    fn blended_hairlines_are_as_wide_as_they_are() {
+        let blended = |element: &str, to_device| stroked_as(element, to_device, Hairlines::AsWideAsTheyAre);
+        let is_line = |stroked| matches!(stroked, Some(Stroked::Lines(lines)) if lines.len() == 1);
+        assert!(is_line(blended(LINE, Affine::IDENTITY)));
+        assert!(is_line(blended(LINE, Affine::rotate(0.5))));
+        let Some(Stroked::Outline(thin)) = blended(LINE, Affine::scale(0.5)) else { panic!("half a pixel wide") };
+        assert!((thin.area().abs() - 0.5 * 5f64.sqrt()).abs() < 1e-3, "{}", thin.area());
+        assert!(!is_line(blended(LINE, Affine::scale_non_uniform(1.0, 0.5))));
+        assert!(!is_line(blended(&LINE.replace("/>", r#" stroke-linecap="square"/>"#), Affine::IDENTITY)));
     }
 
     #[test]

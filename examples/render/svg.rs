@@ -15,12 +15,16 @@ use super::{
     flatten,
     missing::{Missing, MissingKinds, elements_left_out},
     scene::{Item, Outline, Scene},
-    stroke::{Stroked, bez_path, stroke},
+    stroke::{Hairlines, Stroked, bez_path, stroke},
     transform::{affine, stretches},
 };
 
 /// Reads an SVG file's content. Says what of it is not drawn as the file asks.
-pub(crate) fn scene_from(source: &[u8], size: Option<Size>) -> Result<(Scene, MissingKinds), String> {
+pub(crate) fn scene_from(
+    source: &[u8],
+    size: Option<Size>,
+    hairlines: Hairlines,
+) -> Result<(Scene, MissingKinds), String> {
     let text = std::str::from_utf8(source).map_err(|_| "not an SVG file: not UTF-8 text")?;
     let syntax = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
     let document =
@@ -41,8 +45,9 @@ pub(crate) fn scene_from(source: &[u8], size: Option<Size>) -> Result<(Scene, Mi
     })?;
 
     let view = View::new(&tree, size)?;
-    let mut walk = Walk { to_device: view.to_device, items: Vec::new(), missing: elements_left_out(&document) };
-    walk.group(tree.root(), view.visible);
+    let missing = elements_left_out(&document);
+    let mut walk = Walk { to_device: view.to_device, hairlines, items: Vec::new(), missing };
+    walk.group(tree.root(), view.visible, 1.0);
     Ok((Scene { size: view.size, items: walk.items }, walk.missing))
 }
 
@@ -89,18 +94,24 @@ fn pixels_in(rect: kurbo::Rect) -> Rectangle {
 /// Goes through the tree in painting order.
 struct Walk {
     to_device: Affine,
+    hairlines: Hairlines,
     items: Vec<Item>,
     missing: MissingKinds,
 }
 
 impl Walk {
-    fn group(&mut self, group: &Group, clip: Rectangle) {
+    fn group(&mut self, group: &Group, clip: Rectangle, mut opacity: f32) {
         // Nothing of a group is seen that is wholly transparent.
         if group.opacity().get() == 0.0 {
             return;
         }
         if group.opacity().get() < 1.0 {
-            self.missing.insert(Missing::Opacity);
+            // What is painted once may as well be transparent itself; of more, what lies below would show.
+            if paints_in(group) == 1 {
+                opacity *= group.opacity().get();
+            } else {
+                self.missing.insert(Missing::Opacity);
+            }
         }
         if group.mask().is_some() {
             self.missing.insert(Missing::Mask);
@@ -117,8 +128,8 @@ impl Walk {
         };
         for node in group.children() {
             match node {
-                Node::Group(child) => self.group(child, clip),
-                Node::Path(path) => self.path(path, clip),
+                Node::Group(child) => self.group(child, clip, opacity),
+                Node::Path(path) => self.path(path, clip, opacity),
                 // Named already, from the source.
                 Node::Image(_) | Node::Text(_) => {}
             }
@@ -140,25 +151,26 @@ impl Walk {
         }
     }
 
-    fn path(&mut self, path: &usvg::Path, clip: Rectangle) {
+    fn path(&mut self, path: &usvg::Path, clip: Rectangle, opacity: f32) {
         if !path.is_visible() {
             return;
         }
         match path.paint_order() {
             PaintOrder::FillAndStroke => {
-                self.fill(path, clip);
-                self.stroke(path, clip);
+                self.fill(path, clip, opacity);
+                self.stroke(path, clip, opacity);
             }
             PaintOrder::StrokeAndFill => {
-                self.stroke(path, clip);
-                self.fill(path, clip);
+                self.stroke(path, clip, opacity);
+                self.fill(path, clip, opacity);
             }
         }
     }
 
-    fn fill(&mut self, path: &usvg::Path, clip: Rectangle) {
+    fn fill(&mut self, path: &usvg::Path, clip: Rectangle, opacity: f32) {
         let Some(fill) = path.fill() else { return };
-        let Some(colour) = self.colour(fill.paint(), fill.opacity()) else { return };
+        let Some(opacity) = in_255ths(opacity * fill.opacity().get()) else { return };
+        let Some(colour) = self.colour(fill.paint()) else { return };
         let to_device = self.to_device * affine(path.abs_transform());
         let ellipse = Ellipse::recognise(path.data());
         let circle = ellipse.and_then(|ellipse| ellipse.circle(to_device));
@@ -172,45 +184,39 @@ impl Walk {
                 Outline::filling(flatten::flatten(&(to_device * curve(path, ellipse, to_device))), rule)
             }
         };
-        self.items.extend(outline.map(|outline| Item { outline, colour, clip }));
+        self.items.extend(outline.map(|outline| Item { outline, colour, opacity, clip }));
     }
 
-    fn stroke(&mut self, path: &usvg::Path, clip: Rectangle) {
+    fn stroke(&mut self, path: &usvg::Path, clip: Rectangle, opacity: f32) {
         let Some(style) = path.stroke() else { return };
-        let Some(colour) = self.colour(style.paint(), style.opacity()) else { return };
+        let Some(opacity) = in_255ths(opacity * style.opacity().get()) else { return };
+        let Some(colour) = self.colour(style.paint()) else { return };
         let to_device = self.to_device * affine(path.abs_transform());
         let curve = curve(path, Ellipse::recognise(path.data()), to_device);
-        match stroke(&curve, style, to_device) {
+        match stroke(&curve, style, to_device, self.hairlines) {
             None => {}
             Some(Stroked::Lines(lines)) => {
                 let lines = lines.into_iter().map(Outline::Line);
-                self.items.extend(lines.map(|outline| Item { outline, colour, clip }));
+                self.items.extend(lines.map(|outline| Item { outline, colour, opacity, clip }));
             }
             Some(Stroked::Outline(outline)) => {
                 let outline = Outline::filling(flatten::flatten(&outline), spanfill::FillRule::NonZero);
-                self.items.extend(outline.map(|outline| Item { outline, colour, clip }));
+                self.items.extend(outline.map(|outline| Item { outline, colour, opacity, clip }));
             }
         }
     }
 
     /// The one colour that stands for a paint; none when there is nothing to see.
-    fn colour(&mut self, paint: &Paint, opacity: usvg::Opacity) -> Option<Rgb888> {
-        if opacity.get() == 0.0 {
-            return None;
-        }
-        let colour = match paint {
-            Paint::Color(usvg::Color { red, green, blue }) => Rgb888::new(*red, *green, *blue),
-            Paint::LinearGradient(gradient) => self.average(gradient)?,
-            Paint::RadialGradient(gradient) => self.average(gradient)?,
+    fn colour(&mut self, paint: &Paint) -> Option<Rgb888> {
+        match paint {
+            Paint::Color(usvg::Color { red, green, blue }) => Some(Rgb888::new(*red, *green, *blue)),
+            Paint::LinearGradient(gradient) => self.average(gradient),
+            Paint::RadialGradient(gradient) => self.average(gradient),
             Paint::Pattern(_) => {
                 self.missing.insert(Missing::Pattern);
-                return None;
+                None
             }
-        };
-        if opacity.get() < 1.0 {
-            self.missing.insert(Missing::Opacity);
         }
-        Some(colour)
     }
 
     /// The mean over a gradient's length, without its transparent stops.
@@ -236,6 +242,24 @@ impl Walk {
         let [red, green, blue] = sum.map(|channel| channel.round() as u8);
         Some(Rgb888::new(red, green, blue))
     }
+}
+
+/// None when there is nothing to see.
+fn in_255ths(opacity: f32) -> Option<u8> {
+    // The cast saturates, and keeps the whole number that it is given.
+    Some((opacity * 255.0).round() as u8).filter(|&opacity| opacity > 0)
+}
+
+/// How often something of a group is painted over what is there.
+fn paints_in(group: &Group) -> usize {
+    let paints = |node: &Node| match node {
+        Node::Group(group) => paints_in(group),
+        Node::Path(path) if path.is_visible() => {
+            usize::from(path.fill().is_some()) + usize::from(path.stroke().is_some())
+        }
+        Node::Path(_) | Node::Image(_) | Node::Text(_) => 0,
+    };
+    group.children().iter().map(paints).sum()
 }
 
 /// The outline of an element in its own units. Of an ellipse, usvg's cubics are within a tenth of a unit, which may
@@ -271,7 +295,7 @@ mod tests {
 
     fn scene(attributes: &str, content: &str, size: Option<Size>) -> Scene {
         let source = format!(r#"<svg xmlns="http://www.w3.org/2000/svg" {attributes}>{content}</svg>"#);
-        let (scene, missing) = scene_from(source.as_bytes(), size).expect("a drawing");
+        let (scene, missing) = scene_from(source.as_bytes(), size, Hairlines::OnePixel).expect("a drawing");
         assert!(missing.is_empty(), "{missing:?}");
         scene
     }
@@ -322,6 +346,16 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn opacity_is_that_of_the_paint_and_of_groups_around_it_alone() {
+        let content = r#"<rect width="4" height="4" fill-opacity=".5"/>
+            <g opacity=".5"><g opacity=".5"><rect width="4" height="4" fill-opacity=".8"/></g></g>
+            <rect width="4" height="4" opacity=".001"/><rect width="4" height="4"/>"#;
+        let scene = scene(r#"width="4" height="4""#, content, None);
+        let opacities: Vec<u8> = scene.items.iter().map(|item| item.opacity).collect();
+        assert_eq!(opacities, [128, 51, 255]);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use crate::{
     Vertex,
-    coverage::{FULL, Ramp, Slope, Steepness, convex::Side, slope::wide_position},
+    coverage::{FULL, Ramp, Slope, Steepness, convex::Side, ramp::height_in, slope::wide_position},
     edge::Descent,
     limits::SUBPIXEL_BITS,
 };
@@ -79,7 +79,7 @@ impl<const BITS: u32> Side for Chain<BITS> {
             let end = bottom.min(self.until);
             if end > self.y {
                 let from = self.edge.position();
-                let height = (end - self.y).cast_unsigned() << (30 - BITS);
+                let height = height_in::<BITS>(end - self.y);
                 let to = self.go_to(end);
                 piece(from, to, height, self.edge.steepness);
             }
@@ -131,7 +131,7 @@ impl Side for WideChain {
                 let descent = Descent::between(upper, lower);
                 let at = |y: i32| wide_position(descent, y.wrapping_sub(upper.y.to_bits()).cast_unsigned());
                 let (from, to) = (at(self.y), at(end));
-                let height = (end - self.y).cast_unsigned() << 22;
+                let height = height_in::<SUBPIXEL_BITS>(end - self.y);
                 piece(from, to, height, Steepness::of_positions(height, to.abs_diff(from)));
                 self.y = end;
             }

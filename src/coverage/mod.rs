@@ -7,6 +7,7 @@ mod ramp;
 mod runs;
 mod samples;
 mod slope;
+mod straight;
 
 pub use cells::Cell;
 pub(crate) use cells::Cells;
@@ -17,6 +18,7 @@ pub(crate) use runs::{Crossings, Runs};
 pub(crate) use samples::Supersampler;
 pub use samples::{SampleCell, Samples};
 pub(crate) use slope::{Slope, Steepness};
+pub(crate) use straight::{Side as StraightSide, Straight, send_straight};
 
 use crate::span::Span;
 

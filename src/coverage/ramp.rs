@@ -8,17 +8,26 @@
 //! ```
 //!
 //! An edge and its mirror image, left and right exchanged, leave the same areas in a row, so only the left end and the
-//! right end count. Areas and heights are in 2^-30 of a pixel: every formula here is off by at most a few units.
+//! right end count. Areas and heights are in units of which a pixel has 255 * 2^22: every
+//! formula here is off by at most a few of them.
+
+use core::ops::RangeInclusive;
 
 use crate::coverage::slope::{Steepness, high_word};
 
-/// The area of a pixel; also its height.
-pub(crate) const FULL: u32 = 1 << 30;
+/// The area of a pixel; also its height: a 255th is 2^22.
+pub(crate) const FULL: u32 = 255 << 22;
+
+/// A height in 2^-`BITS` pixel, at most a pixel.
+#[inline(always)]
+pub(crate) fn height_in<const BITS: u32>(height: i32) -> u32 {
+    height.cast_unsigned() * (FULL >> BITS)
+}
 
 /// A height in 1/256 pixel, at most a pixel.
 #[inline(always)]
 pub(crate) fn height_of(subpixels: i32) -> u32 {
-    subpixels.cast_unsigned() << 22
+    height_in::<8>(subpixels)
 }
 
 /// See the module.
@@ -33,7 +42,7 @@ pub(crate) struct Ramp {
     pub(crate) second_area: u32,
     /// From each to the next between the first and the last.
     pub(crate) step: u32,
-    steepness: Steepness,
+    pub(crate) steepness: Steepness,
 }
 
 /// Over more columns than there are in the narrow zone, the steps' last bits would add up: they are multiplied out.
@@ -57,16 +66,41 @@ pub(crate) fn part_of(position: i64) -> u32 {
 }
 
 impl Ramp {
+    /// All of it in one column, of which the area is known.
+    #[inline(always)]
+    pub(crate) fn in_column(column: i32, height: u32, area: u32) -> Self {
+        Self {
+            first: column,
+            last: column,
+            height,
+            first_area: area,
+            last_area: area,
+            second_area: 0,
+            step: 0,
+            steepness: Steepness::NONE,
+        }
+    }
+
     /// Between the positions of an edge's ends in the row, in either order, over `height`.
     #[inline(always)]
     pub(crate) fn between(a: i64, b: i64, height: u32, steepness: Steepness) -> Self {
         let (left, right) = (a.min(b), a.max(b));
-        let (first, last) = (column_of(left), column_of(right));
-        let (left_part, right_part) = (part_of(left), part_of(right));
+        Self::within(column_of(left)..=column_of(right), part_of(left), part_of(right), height, steepness)
+    }
+
+    /// From one column to another, so far into the first, and so far into the last, in 2^-32.
+    #[inline(always)]
+    pub(crate) fn within(
+        columns: RangeInclusive<i32>,
+        left_part: u32,
+        right_part: u32,
+        height: u32,
+        steepness: Steepness,
+    ) -> Self {
+        let (first, last) = (*columns.start(), *columns.end());
         if first == last {
             let mean = (left_part >> 1) + (right_part >> 1);
-            let area = height - high_word(height, mean);
-            return Self { first, last, height, first_area: area, last_area: area, second_area: 0, step: 0, steepness };
+            return Self::in_column(first, height, height - high_word(height, mean));
         }
         let to_boundary = !left_part;
         let down = steepness.down(to_boundary).min(height);
@@ -108,10 +142,7 @@ impl Ramp {
 /// An area, in 255ths of a pixel, to the nearest; a few units beyond either end belong to it.
 #[inline(always)]
 pub(crate) fn coverage_of(area: u32) -> u8 {
-    let area = area.cast_signed();
-    let coverage = (area - (area >> 8) + (1 << 21)) >> 22;
     #[allow(clippy::cast_possible_truncation, reason = "0 to 255")]
-    #[allow(clippy::cast_sign_loss, reason = "0 to 255")]
-    let coverage = coverage as u8;
+    let coverage = (area.wrapping_add(1 << 21) >> 22) as u8;
     coverage
 }

@@ -11,7 +11,7 @@ use crate::{
 };
 
 /// Runs are at most so long; a display behind a bus pays for an address window once a run.
-const RUN: usize = 32;
+pub(crate) const RUN: usize = 32;
 
 /// Fewer pixels of one coverage stay in the run that they are part of.
 const SPAN: i32 = 4;
@@ -19,12 +19,12 @@ const SPAN: i32 = 4;
 /// Takes the coverage of a row, columns to the right, and sends runs and spans.
 #[derive(Debug)]
 pub(crate) struct Runs<'s, S> {
-    sink: &'s mut S,
+    pub(super) sink: &'s mut S,
     row: i32,
     /// The column after the open run.
     end: i32,
     length: usize,
-    coverage: [u8; RUN],
+    pub(super) coverage: [u8; RUN],
 }
 
 impl<'s, S: CoverageSink> Runs<'s, S> {
@@ -75,6 +75,39 @@ impl<'s, S: CoverageSink> Runs<'s, S> {
         if coverage == 0 { Ok(()) } else { self.sink.span(Span { row: self.row, columns: start..end }, coverage) }
     }
 
+    /// Sends what has been put into the buffer, for the pixels from `column` on: a run, without the zeros at its ends.
+    #[inline(always)]
+    pub(crate) fn send_all(&mut self, mut column: i32, length: usize) -> Result<(), S::Error> {
+        let mut run = self.coverage.get(..length).unwrap_or_default();
+        while let [0, rest @ ..] = run {
+            run = rest;
+            column += 1;
+        }
+        while let [rest @ .., 0] = run {
+            run = rest;
+        }
+        if run.is_empty() {
+            Ok(())
+        } else if run.contains(&0) {
+            Self::send_parts(self.sink, self.row, column, run)
+        } else {
+            self.sink.run(self.row, column, run)
+        }
+    }
+
+    /// Sends a run that has zeros in it: a sliver may touch a pixel so little that it rounds to nothing.
+    #[cold]
+    #[inline(never)]
+    fn send_parts(sink: &mut S, row: i32, mut column: i32, run: &[u8]) -> Result<(), S::Error> {
+        for coverage in run {
+            if *coverage != 0 {
+                sink.run(row, column, &[*coverage])?;
+            }
+            column += 1;
+        }
+        Ok(())
+    }
+
     /// Sends the open run.
     #[inline(always)]
     pub(crate) fn finish(&mut self) -> Result<(), S::Error> {
@@ -123,7 +156,7 @@ impl Crossings {
         sign: i32,
         runs: &mut Runs<'_, S>,
     ) -> Result<(), S::Error> {
-        let to_right = |area: u32| if sign < 0 { FULL - area } else { area };
+        let to_right = |area: u32| if sign < 0 { FULL.wrapping_sub(area) } else { area };
         if ramp.first == self.column {
             self.area = self.area.wrapping_add(to_right(ramp.first_area)).wrapping_sub(self.after);
         } else {

@@ -3,15 +3,15 @@
 //! A pixel's samples are the pixels of the same shape `n` times as large, without anti-aliasing:
 //!
 //! ```text
-//!     +-------------+    a line of samples:  . . # #|# # # #|# . . .     a span of them
-//!     | .  .  .  #  |                           +2      +4     -3 -3     what its ends change
-//!     | .  .  #  #  |
-//!     | .  .  #  #  |    an end changes the pixel that it is in, and all to the right of that
-//!     | .  #  #  #  |    by the rest: two cells
+//!     +-------------+
+//!     | .  .  .  #  |    . . # #|# # # #|# . . .|. . . .    a span on a line of samples, 4 to a pixel
+//!     | .  .  #  #  |       2       4       1       0       what it counts for in each pixel
+//!     | .  .  #  #  |      +2      +2      -3      -1       the change from the pixel before: two at each end
+//!     | .  #  #  #  |
 //!     +-------------+
 //! ```
 //!
-//! So the inside of a shape costs nothing, and a row is added up once for all of its lines.
+//! Only changes are kept, and added up once for all lines of a row of pixels: what lies inside costs nothing.
 
 use core::{mem, num::NonZeroU32, ops::Range};
 
@@ -96,6 +96,9 @@ pub(crate) struct Supersampler<'c, 's, S> {
     /// One for each of `columns`, the change from the column before.
     cells: &'c mut [SampleCell],
     columns: Range<i32>,
+    first_sample: i32,
+    /// Of the usual sides: powers of two, by which nothing has to be divided.
+    side_bits: Option<u32>,
     /// A bit for each `1 << bucket_bits` cells that may not all be 0.
     touched: u32,
     bucket_bits: u32,
@@ -129,6 +132,8 @@ impl<'c, 's, S: CoverageSink> Supersampler<'c, 's, S> {
         cells.fill(SampleCell::EMPTY);
         Self {
             samples,
+            first_sample: columns.start.wrapping_mul(samples.side()),
+            side_bits: samples.side.is_power_of_two().then(|| samples.side.trailing_zeros()),
             columns,
             touched: 0,
             bucket_bits: (usize::BITS - cells.len().saturating_sub(1).leading_zeros()).saturating_sub(BUCKETS.ilog2()),
@@ -162,9 +167,12 @@ impl<'c, 's, S: CoverageSink> Supersampler<'c, 's, S> {
     /// Adds all samples of the line from `sample` on, or, with `sign` -1, takes them away.
     #[inline(always)]
     pub(crate) fn add_from(&mut self, sample: i32, sign: i32) {
-        let first = self.columns.start.wrapping_mul(self.samples.side());
-        let right = sample.saturating_sub(first).max(0).cast_unsigned();
-        let (column, within) = ((right / self.samples.side) as usize, (right % self.samples.side) as usize);
+        let right = sample.saturating_sub(self.first_sample).max(0).cast_unsigned();
+        let (column, within) = match self.side_bits {
+            Some(bits) => (right >> bits, right & !(u32::MAX << bits)),
+            None => (right / self.samples.side, right % self.samples.side),
+        };
+        let (column, within) = (column as usize, within as usize);
         let before = i32::from(self.weights.get(within).copied().unwrap_or_default());
         match self.cells.get_mut(column..) {
             Some([cell, next, ..]) => {
@@ -178,41 +186,41 @@ impl<'c, 's, S: CoverageSink> Supersampler<'c, 's, S> {
         self.touched |= 1 << (column >> self.bucket_bits);
     }
 
-    #[inline(always)]
-    fn position(&self, column: usize) -> i32 {
-        self.columns.start.wrapping_add_unsigned(u32::try_from(column).unwrap_or(0))
-    }
-
-    #[inline(always)]
-    fn coverage_of(&self, count: i16) -> u8 {
-        let count = u32::from(count.cast_unsigned());
-        ((count * self.scale + (1 << (SCALE_BITS - 1))) >> SCALE_BITS).to_le_bytes()[0]
-    }
-
     /// Sends the row, and leaves all cells 0.
     pub(crate) fn finish(&mut self) -> Result<(), S::Error> {
         let mut touched = mem::take(&mut self.touched);
         if touched == 0 {
             return Ok(());
         }
-        self.runs.start(self.row);
-        let (mut start, mut count) = (self.columns.start, 0_i16);
+        let Self { cells, runs, columns, bucket_bits, scale, .. } = self;
+        runs.start(self.row);
+        let (mut start, mut count, mut coverage) = (columns.start, 0_i16, 0);
         while touched != 0 {
-            let first = (touched.trailing_zeros() as usize) << self.bucket_bits;
+            let first = touched.trailing_zeros() << *bucket_bits;
             touched &= touched - 1;
-            let end = self.cells.len().min(first + (1 << self.bucket_bits));
-            for column in first..end {
-                let change = self.cells.get_mut(column).map_or(0, |cell| mem::take(&mut cell.0));
-                if change != 0 {
-                    let next = self.position(column);
-                    self.runs.alike(start, next, self.coverage_of(count))?;
-                    (start, count) = (next, count.wrapping_add(change));
+            let end = (first + (1 << *bucket_bits)) as usize;
+            let end = end.min(cells.len());
+            let mut column = columns.start.wrapping_add_unsigned(first);
+            for cell in cells.get_mut(first as usize..end).unwrap_or_default() {
+                if cell.0 != 0 {
+                    runs.alike(start, column, coverage)?;
+                    start = column;
+                    count = count.wrapping_add(mem::take(&mut cell.0));
+                    coverage = coverage_of(count, *scale);
                 }
+                column = column.wrapping_add(1);
             }
         }
-        self.runs.alike(start, self.columns.end, self.coverage_of(count))?;
+        runs.alike(start, columns.end, coverage)?;
         self.runs.finish()
     }
+}
+
+/// A count in 255ths of the whole, with the scale that belongs to it.
+#[inline(always)]
+fn coverage_of(count: i16, scale: u32) -> u8 {
+    let count = u32::from(count.cast_unsigned());
+    (count.wrapping_mul(scale).wrapping_add(1 << (SCALE_BITS - 1)) >> SCALE_BITS).to_le_bytes()[0]
 }
 
 impl SampleCell {
@@ -239,6 +247,7 @@ impl<S: CoverageSink> SpanSink for Supersampler<'_, '_, S> {
 }
 
 #[cfg(test)]
+#[allow(clippy::expect_used, clippy::indexing_slicing, reason = "a test fails by a panic")]
 mod tests {
     use std::{convert::Infallible, vec::Vec};
 
@@ -267,7 +276,7 @@ mod tests {
             for count in 0..=whole {
                 let expected = (2 * 255 * count + whole) / (2 * whole);
                 let count = i16::try_from(count).expect("at most 256");
-                assert_eq!(u32::from(sampler.coverage_of(count)), expected, "{count} of {whole}");
+                assert_eq!(u32::from(coverage_of(count, sampler.scale)), expected, "{count} of {whole}");
             }
         }
     }

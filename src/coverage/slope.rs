@@ -129,8 +129,8 @@ fn divided(width: u32, dy: u32) -> i64 {
     (u64::from(whole) << 32 | part).cast_signed()
 }
 
-/// How far down a line goes for a pixel to the right, in 2^-30 pixel: `mantissa 2^(32 - shift)`, `2^31 <= mantissa < 2^32`,
-/// of which the six lowest bits are given up for the shift, and two more for a mark.
+/// How far down a line goes for a pixel to the right, in units of height (see `ramp`): `mantissa 2^(32 - shift)`, with a
+/// mantissa of 32 bits, of which the six lowest bits are given up for the shift, and two more for a mark.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Steepness(u32);
 
@@ -149,6 +149,15 @@ impl Steepness {
     /// `down / across`, both below 2^31.
     #[inline(always)]
     pub(crate) fn of(down: u32, across: u32) -> Self {
+        let Self(bits) = Self::ratio(down, across);
+        // A pixel's height has 255 / 256 of 2^30 units.
+        let mantissa = bits & MANTISSA_MASK;
+        Self(((mantissa - (mantissa >> 8)) & MANTISSA_MASK) | (bits & SHIFT_MASK))
+    }
+
+    /// The same for `down` in units of height.
+    #[inline(always)]
+    fn ratio(down: u32, across: u32) -> Self {
         if across == 0 || down == 0 {
             return Self::NONE;
         }
@@ -168,11 +177,11 @@ impl Steepness {
         Self((mantissa & MANTISSA_MASK) | (2 + left + more).min(SHIFT_MASK))
     }
 
-    /// `down`, in 2^-30 pixel, for a difference of positions.
+    /// `down`, a height (see `ramp`), for a difference of positions.
     pub(crate) fn of_positions(down: u32, across: u64) -> Self {
         let excess = 33_u32.saturating_sub(across.leading_zeros());
         #[allow(clippy::cast_possible_truncation, reason = "31 bits are left")]
-        let Self(bits) = Self::of(down, (across >> excess) as u32);
+        let Self(bits) = Self::ratio(down, (across >> excess) as u32);
         if bits == 0 {
             return Self::NONE;
         }
@@ -191,6 +200,15 @@ impl Steepness {
     #[inline(always)]
     pub(crate) fn marked(self, mark: i32) -> Self {
         Self((self.0 & !MARK_MASK) | (mark.cast_unsigned() << MARK_SHIFT))
+    }
+
+    /// The mantissa, and by how much to shift a width to the left and what is multiplied out to the right, to have heights
+    /// in 2^-30.
+    #[inline(always)]
+    pub(crate) fn shifts(self) -> (u32, u32, u32) {
+        // One bit less than it takes to have a width that is a pixel high in 32 bits: widths are rounded.
+        let shift = self.0 & SHIFT_MASK;
+        (self.0 & MANTISSA_MASK, 32_u32.saturating_sub(shift) & 31, shift.saturating_sub(32).min(31))
     }
 
     /// How far down for `across`, less than a pixel, in 2^-32; at most about a pixel.

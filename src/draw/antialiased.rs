@@ -204,17 +204,31 @@ fn run_faded<D: DrawTarget, B: Blend<D>>(
     blend.run(target, start, colour, coverage.iter().map(|&coverage| faded(coverage, opacity)))
 }
 
+/// A span that is let through, or covered in part.
+#[inline(never)]
+fn span_faded<D: DrawTarget, B: Blend<D>>(
+    blend: B,
+    target: &mut D,
+    start: Point,
+    width: u32,
+    colour: D::Color,
+    alpha: u8,
+) -> Result<(), D::Error> {
+    blend.span(target, start, width, colour, alpha)
+}
+
 impl<D: DrawTarget, B: Blend<D>> CoverageSink for BlendedFill<'_, D, B> {
     type Error = D::Error;
 
-    #[inline]
+    #[inline(always)]
     fn span(&mut self, span: Span, coverage: u8) -> Result<(), D::Error> {
         let Span { row, columns } = span;
         let start = Point::new(columns.start, row);
         let width = columns.end.wrapping_sub(columns.start).cast_unsigned();
-        match faded(coverage, self.opacity) {
-            255 => self.target.fill_solid(&Rectangle::new(start, Size::new(width, 1)), self.colour),
-            alpha => self.blend.span(self.target, start, width, self.colour, alpha),
+        if coverage == 255 && self.opacity == 255 {
+            self.target.fill_solid(&Rectangle::new(start, Size::new(width, 1)), self.colour)
+        } else {
+            span_faded(self.blend, self.target, start, width, self.colour, faded(coverage, self.opacity))
         }
     }
 

@@ -9,16 +9,17 @@ use super::{
     Blended,
     circle::{boxes, exact},
     curve::Curve,
-    layers::{draw_area, draw_layers},
-    outline::{ALONE, covered},
+    layers::draw_layers,
+    outline::{Outline, draw_outline},
     paint::{Paint, Stroke},
-    pie::ring,
+    pie::push_ring,
     rows::{Part, draw_rows},
     styled::Primitive,
     wedge::{Sweep, Wedge},
 };
 
 impl Primitive for Arc {
+    #[inline(never)]
     fn draw_aliased<D: DrawTarget>(&self, paint: &Paint<D::Color>, target: &mut D) -> Result<(), D::Error> {
         if paint.stroke.is_none() {
             return Ok(());
@@ -39,7 +40,7 @@ impl Primitive for Arc {
         })
     }
 
-    fn draw_blended<D: DrawTarget, B: Blend<D> + Copy>(
+    fn draw_blended<D: DrawTarget, B: Blend<D>>(
         &self,
         paint: &Paint<D::Color>,
         blended: &Blended<B>,
@@ -50,6 +51,9 @@ impl Primitive for Arc {
     {
         let Some(stroke) = paint.stroke else { return Ok(()) };
         let (outer, inner) = boxes(&self.to_circle(), &paint.sides);
+        if !outer.can_be_blended() {
+            return self.draw_aliased(paint, target);
+        }
         let wedge = Wedge::new(self.angle_start, self.angle_sweep);
         if wedge.sweep == Sweep::Whole {
             return draw_layers(
@@ -61,10 +65,9 @@ impl Primitive for Arc {
                 |clip, tile| tile.add(&exact(&inner), clip),
             );
         }
-        match covered(&ring::<ALONE>(&outer, &inner, &wedge, self.angle_sweep)) {
-            Ok(area) => draw_area(area, stroke, blended, target),
-            Err(_) => Ok(()),
-        }
+        let mut outline = Outline::new();
+        push_ring(&mut outline, &outer, &inner, &wedge, self.angle_sweep);
+        draw_outline(&outline, stroke, blended, target)
     }
 
     fn styled_box(&self, stroke: &Stroke, _is_blended: bool) -> Rectangle {

@@ -3,7 +3,7 @@
 use embedded_graphics::primitives::Circle;
 use embedded_graphics_core::{Drawable, draw_target::DrawTarget, geometry::Size, primitives::Rectangle};
 
-use crate::{Blend, Fill, Mix, Vertex};
+use crate::{Blend, Mix, Vertex, draw::Fill};
 
 use super::{
     Blended,
@@ -35,6 +35,7 @@ fn is_ordinary(pixels: &PixelBox) -> bool {
 }
 
 impl Primitive for Circle {
+    #[inline(never)]
     fn draw_aliased<D: DrawTarget>(&self, paint: &Paint<D::Color>, target: &mut D) -> Result<(), D::Error> {
         let (outer, inner) = boxes(self, &paint.sides);
         if let (Some(fill), None, true) = (paint.fill, paint.stroke, is_ordinary(&inner)) {
@@ -48,7 +49,7 @@ impl Primitive for Circle {
         })
     }
 
-    fn draw_blended<D: DrawTarget, B: Blend<D> + Copy>(
+    fn draw_blended<D: DrawTarget, B: Blend<D>>(
         &self,
         paint: &Paint<D::Color>,
         blended: &Blended<B>,
@@ -58,6 +59,9 @@ impl Primitive for Circle {
         D::Color: Mix,
     {
         let (outer, inner) = boxes(self, &paint.sides);
+        if !outer.can_be_blended() {
+            return self.draw_aliased(paint, target);
+        }
         match (paint.fill, paint.stroke) {
             (Some(fill), None) => draw_area(exact(&inner), fill, blended, target),
             _ => draw_layers(

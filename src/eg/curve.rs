@@ -7,9 +7,9 @@ const STEPPED_SIZE: u64 = 1 << 15;
 
 /// An ellipse in doubled coordinates around its middle: `b x^2 + a y^2 < limit`.
 ///
-/// `a` and `b` are the squares of its width and height, `limit` their product; of a circle all are divided by the square
-/// of the diameter. Circles of up to four pixels have a smaller limit, which leaves out the corners of the one of
-/// three, as in embedded-graphics.
+/// `a` and `b` are the squares of its width and height, `limit` their product; of a circle all are divided by the
+/// square of the diameter. Circles of up to four pixels have a smaller limit, which leaves out the corners of the one
+/// of three, as in embedded-graphics.
 #[derive(Debug, Clone)]
 pub(super) struct Curve {
     width: u64,
@@ -64,7 +64,7 @@ impl Curve {
 
     /// Half of the pixels lie at odd distances from the middle of an even size.
     fn nearest(&self) -> i64 {
-        i64::from(self.width % 2 == 0)
+        i64::from(self.width.is_multiple_of(2))
     }
 
     fn nearby(&mut self, is_inside: impl Fn(i64) -> bool) -> Option<i64> {

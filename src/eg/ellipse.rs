@@ -8,8 +8,7 @@ use crate::{Blend, Mix};
 use super::{
     Blended,
     curve::Curve,
-    layers::{draw_area, draw_layers},
-    outline::{ALONE, PAIRED, add_outline, covered, ellipse},
+    outline::{Layer, draw_outlines, push_ellipse},
     paint::{Paint, Stroke},
     pixel_box::PixelBox,
     rows::draw_rows,
@@ -23,6 +22,7 @@ fn boxes(ellipse: &Ellipse, stroke: &Stroke) -> (PixelBox, PixelBox) {
 }
 
 impl Primitive for Ellipse {
+    #[inline(never)]
     fn draw_aliased<D: DrawTarget>(&self, paint: &Paint<D::Color>, target: &mut D) -> Result<(), D::Error> {
         let (outer, inner) = boxes(self, &paint.sides);
         let (x, y) = outer.center_2x();
@@ -33,7 +33,7 @@ impl Primitive for Ellipse {
         })
     }
 
-    fn draw_blended<D: DrawTarget, B: Blend<D> + Copy>(
+    fn draw_blended<D: DrawTarget, B: Blend<D>>(
         &self,
         paint: &Paint<D::Color>,
         blended: &Blended<B>,
@@ -43,21 +43,12 @@ impl Primitive for Ellipse {
         D::Color: Mix,
     {
         let (outer, inner) = boxes(self, &paint.sides);
-        if let (Some(fill), None) = (paint.fill, paint.stroke) {
-            return match covered(&ellipse::<ALONE>(&inner)) {
-                Ok(area) => draw_area(area, fill, blended, target),
-                Err(_) => Ok(()),
-            };
+        if !outer.can_be_blended() {
+            return self.draw_aliased(paint, target);
         }
-        let (outline, filled) = (ellipse::<PAIRED>(&outer), ellipse::<PAIRED>(&inner));
-        draw_layers(
-            paint,
-            blended,
-            target,
-            &outer.rectangle().into(),
-            |clip, tile| add_outline(&outline, clip, tile),
-            |clip, tile| add_outline(&filled, clip, tile),
-        )
+        draw_outlines(paint, blended, target, &outer, |outline, room, layer| {
+            push_ellipse(outline, room, if layer == Layer::Outer { &outer } else { &inner });
+        })
     }
 
     fn styled_box(&self, stroke: &Stroke, _is_blended: bool) -> Rectangle {

@@ -1,43 +1,45 @@
 //! Stroke and fill of one primitive blended together: each pixel is drawn once, in the mixture of both.
 //!
-//! Coverage comes shape by shape, and a pixel on the inner edge of a stroke needs that of two shapes. Both are collected
-//! for a small tile at a time, 512 bytes on the stack, and the tile is drawn.
+//! Coverage comes shape by shape, and a pixel on the inner edge of a stroke needs that of two shapes. Both are
+//! collected for a small tile at a time, twice 256 bytes on the stack, and the tile is drawn.
 //!
 //! ```text
 //!     outer   0  96 255 255 255        stroke over the background where inner is 0,
 //!     inner   0   0  40 210 255        then fill mixed into it: inner / outer of it
 //! ```
 
-use core::{convert::Infallible, iter::once};
+use core::{convert::Infallible, ops::Range};
 
 use embedded_graphics_core::{
-    Pixel,
     draw_target::DrawTarget,
     geometry::{Point, Size},
     primitives::Rectangle,
 };
+use heapless::Vec;
 
-use crate::{AntiAlias, Blend, Cover, CoverageSink, Mix, PixelRect, Span};
+use crate::{Blend, CoverageSink, Mix, PixelRect, Span, draw::AntiAlias, shape::Cover};
 
 use super::{Blended, paint::Paint, pixel_box::to_i32};
 
 /// The size of a tile.
-const ROWS: i32 = 8;
-pub(super) const COLUMNS: i32 = 32;
-const PIXELS: usize = 8 * 32;
-const _: () = assert!(ROWS * COLUMNS == 8 * 32);
+const ROWS: i32 = 4;
+pub(super) const COLUMNS: i32 = 64;
+const WIDTH: usize = COLUMNS.cast_unsigned() as usize;
+const PIXELS: usize = 4 * WIDTH;
+const _: () = assert!(ROWS == 4);
 
 /// The coverage of the pixels of a tile by one or more areas that do not overlap, in 255ths.
 #[derive(Debug)]
 pub(super) struct Tile {
     left: i32,
     top: i32,
+    is_empty: bool,
     coverage: [u8; PIXELS],
 }
 
 impl Tile {
     fn new(left: i32, top: i32) -> Self {
-        Self { left, top, coverage: [0; PIXELS] }
+        Self { left, top, is_empty: true, coverage: [0; PIXELS] }
     }
 
     /// Adds what `area` covers. The sum is exact where areas meet, and at most 255 where they overlap.
@@ -53,6 +55,14 @@ impl Tile {
         usize::try_from(row * COLUMNS + column).unwrap_or(PIXELS)
     }
 
+    /// A run of a row; `ExactSizeIterator` wants it in one place.
+    fn alphas(columns: Range<i32>, alpha: impl Fn(i32) -> u8) -> Vec<u8, WIDTH> {
+        let mut alphas = Vec::new();
+        // A tile is no wider than the room there is.
+        columns.for_each(|column| alphas.push(alpha(column)).unwrap_or_default());
+        alphas
+    }
+
     fn at(&self, row: i32, column: i32) -> u8 {
         self.coverage.get(self.index(row, column)).copied().unwrap_or_default()
     }
@@ -62,6 +72,7 @@ impl CoverageSink for Tile {
     type Error = Infallible;
 
     fn span(&mut self, span: Span, coverage: u8) -> Result<(), Infallible> {
+        self.is_empty = false;
         let first = self.index(span.row, span.columns.start);
         let pixels = self.coverage.iter_mut().skip(first).zip(span.columns);
         pixels.for_each(|(sum, _)| *sum = sum.saturating_add(coverage));
@@ -69,6 +80,7 @@ impl CoverageSink for Tile {
     }
 
     fn run(&mut self, row: i32, column: i32, coverage: &[u8]) -> Result<(), Infallible> {
+        self.is_empty = false;
         let first = self.index(row, column);
         let pixels = self.coverage.iter_mut().skip(first).zip(coverage);
         pixels.for_each(|(sum, coverage)| *sum = sum.saturating_add(*coverage));
@@ -77,7 +89,7 @@ impl CoverageSink for Tile {
 }
 
 /// Draws an area of one colour.
-pub(super) fn draw_area<D: DrawTarget, B: Blend<D> + Copy>(
+pub(super) fn draw_area<D: DrawTarget, B: Blend<D>>(
     area: impl Cover,
     colour: D::Color,
     blended: &Blended<B>,
@@ -115,7 +127,9 @@ where
             let (mut outside, mut inside) = (Tile::new(left, top), Tile::new(left, top));
             outer(&clip, &mut outside);
             inner(&clip, &mut inside);
-            draw_tile(paint, blended, target, &clip, &outside, &inside)?;
+            if !(outside.is_empty && inside.is_empty) {
+                draw_tile(paint, blended, target, &clip, &outside, &inside)?;
+            }
             left = right;
         }
         top = bottom;
@@ -135,28 +149,34 @@ where
     D::Color: Mix,
 {
     for row in clip.rows.clone() {
+        let pixel = |column: i32| {
+            let (colour, coverage) = mixture(paint, (outer.at(row, column), inner.at(row, column)))?;
+            let alpha = divide_by_255(u32::from(coverage) * u32::from(blended.opacity));
+            (alpha > 0).then_some((colour, alpha))
+        };
         let mut column = clip.columns.start;
         while column < clip.columns.end {
-            let covered = (outer.at(row, column), inner.at(row, column));
             let start = column;
-            while column < clip.columns.end && (outer.at(row, column), inner.at(row, column)) == covered {
+            let Some((colour, alpha)) = pixel(start) else {
+                column += 1;
+                continue;
+            };
+            // As far as the pixels are alike; if that is just one, as far as they have the same colour.
+            while column < clip.columns.end && pixel(column) == Some((colour, alpha)) {
                 column += 1;
             }
-            let Some((colour, coverage)) = mixture(paint, covered) else { continue };
-            let alpha = divide_by_255(u32::from(coverage) * u32::from(blended.opacity));
-            if alpha == 0 {
-                continue;
-            }
-            if let Some(colour) = blended.blend.everywhere(colour, alpha) {
-                let size = Size::new(column.abs_diff(start), 1);
-                target.fill_solid(&Rectangle::new(Point::new(start, row), size), colour)?;
-                continue;
-            }
-            for column in start..column {
-                let point = Point::new(column, row);
-                if let Some(colour) = blended.blend.at(target, point, colour, alpha) {
-                    target.draw_iter(once(Pixel(point, colour)))?;
+            let (place, width) = (Point::new(start, row), column.abs_diff(start));
+            if alpha == 255 {
+                target.fill_solid(&Rectangle::new(place, Size::new(width, 1)), colour)?;
+            } else if width > 1 {
+                blended.blend.span(target, place, width, colour, alpha)?;
+            } else {
+                let continues = |column| pixel(column).is_some_and(|(other, alpha)| other == colour && alpha < 255);
+                while column < clip.columns.end && continues(column) {
+                    column += 1;
                 }
+                let alphas = Tile::alphas(start..column, |column| pixel(column).map_or(0, |(_, alpha)| alpha));
+                blended.blend.run(target, place, colour, alphas.iter().copied())?;
             }
         }
     }
@@ -195,14 +215,12 @@ fn divide_by_255(product: u32) -> u8 {
 
 /// A rectangle around areas.
 pub(super) fn union(a: &PixelRect, b: &PixelRect) -> PixelRect {
-    let axis = |a: &core::ops::Range<i32>, b: &core::ops::Range<i32>| a.start.min(b.start)..a.end.max(b.end);
+    let axis = |a: &Range<i32>, b: &Range<i32>| a.start.min(b.start)..a.end.max(b.end);
     PixelRect { rows: axis(&a.rows, &b.rows), columns: axis(&a.columns, &b.columns) }
 }
 
 /// Grown by whole pixels on every side.
 pub(super) fn grown(rect: &PixelRect, pixels: i64) -> PixelRect {
-    let axis = |range: &core::ops::Range<i32>| {
-        to_i32(i64::from(range.start) - pixels)..to_i32(i64::from(range.end) + pixels)
-    };
+    let axis = |range: &Range<i32>| to_i32(i64::from(range.start) - pixels)..to_i32(i64::from(range.end) + pixels);
     PixelRect { rows: axis(&rect.rows), columns: axis(&rect.columns) }
 }

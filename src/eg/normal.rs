@@ -52,7 +52,7 @@ pub(super) fn meet(a: Vector, a_offset: i64, b: Vector, b_offset: i64) -> Option
     if determinant.abs() < ONE >> 10 {
         return None;
     }
-    let x = (a_offset * b.1 - b_offset * a.1) / determinant;
-    let y = (b_offset * a.0 - a_offset * b.0) / determinant;
+    let x = (a_offset * b.1 - b_offset * a.1).checked_div(determinant)?;
+    let y = (b_offset * a.0 - a_offset * b.0).checked_div(determinant)?;
     Some((x, y))
 }

@@ -4,7 +4,7 @@ use embedded_graphics::geometry::Angle;
 
 use super::{
     normal::{Vector, add, along, cross, left, meet, unit},
-    outline::{Chords, Outline, push_arc, radius, vertex},
+    outline::{ALONE, Chords, Outline, push_arc, radius, vertex, within},
     pixel_box::PixelBox,
     wedge::{Sweep, Wedge},
 };
@@ -20,50 +20,50 @@ fn chords(radius: i64, sweep: Angle, room: usize, arcs: usize) -> Chords {
     const SPARE: usize = 6;
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped; how fine, not where")]
     let degrees = sweep.to_degrees().abs().clamp(1.0, 360.0) as usize + 1;
-    Chords::new(radius, (room.saturating_sub(arcs * SPARE) * 360 / (arcs * degrees)).min(1024))
+    Chords::new(radius, (room.saturating_sub(arcs * SPARE) * 360 / (arcs * degrees).max(1)).min(1024))
 }
 
 /// The first point of the chords at a direction or clockwise after it.
-fn first_after(chords: Chords, (x, y): Vector) -> i64 {
+fn first_after(chords: Chords, (x, y): Vector) -> i32 {
     let eighth = match (x > 0, y > 0) {
-        _ if y >= 0 && x > 0 => i64::from(y >= x),
-        (false, true) => 2 + i64::from(-x >= y),
-        _ if x < 0 => 4 + i64::from(-y >= -x),
-        _ => 6 + i64::from(x >= -y),
+        _ if y >= 0 && x > 0 => i32::from(y >= x),
+        (false, true) => 2 + i32::from(-x >= y),
+        _ if x < 0 => 4 + i32::from(-y >= -x),
+        _ => 6 + i32::from(x >= -y),
     };
     let start = eighth * (chords.count() / 8);
-    (start..start + chords.count() / 8).find(|&point| cross((x, y), chords.unit(point)) >= 0).unwrap_or(start + chords.count() / 8)
+    let end = start + chords.count() / 8;
+    (start..end).find(|&point| cross((x, y), chords.unit(point)) >= 0).unwrap_or(end)
 }
 
 /// The points between two directions, clockwise; those of a whole turn or none when there is none between.
-fn between(chords: Chords, start: Vector, end: Vector, sweep: Sweep) -> core::ops::Range<i64> {
+fn between(chords: Chords, start: Vector, end: Vector, sweep: Sweep) -> core::ops::Range<i32> {
     let first = first_after(chords, start);
-    let count = (first_after(chords, end) - first).rem_euclid(chords.count());
+    let count = (first_after(chords, end) - first).rem_euclid(chords.count().max(1));
     let count = if count == 0 && sweep != Sweep::Narrow { chords.count() } else { count };
     first..first + count
 }
 
-/// What is between two circles and in a wedge.
-pub(super) fn ring<const N: usize>(outer: &PixelBox, inner: &PixelBox, wedge: &Wedge, sweep: Angle) -> Outline<N> {
-    let mut outline = Outline::new();
-    let (Some(start), Some(end)) = (unit(wedge.start), unit(wedge.end)) else { return outline };
+/// Adds the outline of what is between two circles and in a wedge.
+#[inline(never)]
+pub(super) fn push_ring(outline: &mut Outline, outer: &PixelBox, inner: &PixelBox, wedge: &Wedge, sweep: Angle) {
+    let (Some(start), Some(end)) = (unit(wedge.start), unit(wedge.end)) else { return };
     let (middle, far, near) = (center(outer), radius(outer.width), radius(inner.width));
-    let chords = chords(far, sweep, N, 2);
+    let chords = chords(far, sweep, ALONE, 2);
     let points = between(chords, start, end, wedge.sweep);
-    let push = |outline: &mut Outline<N>, place: Vector| {
+    let push = |outline: &mut Outline, place: Vector| {
         let (x, y) = add(middle, place);
         // There is room: `chords` has seen to it.
         outline.push(vertex(x, y)).unwrap_or_default();
     };
-    push(&mut outline, along(start, far));
-    push_arc(&mut outline, middle, (far, far), chords, points.clone());
-    push(&mut outline, along(end, far));
-    push(&mut outline, along(end, near));
+    push(outline, along(start, far));
+    push_arc(outline, middle, (far, far), chords, points.clone());
+    push(outline, along(end, far));
+    push(outline, along(end, near));
     if near > 0 {
-        push_arc(&mut outline, middle, (near, near), chords, points.rev());
-        push(&mut outline, along(start, near));
+        push_arc(outline, middle, (near, near), chords, points.rev());
+        push(outline, along(start, near));
     }
-    outline
 }
 
 /// A pie whose straight sides are moved.
@@ -80,11 +80,12 @@ pub(super) struct Pie {
 }
 
 impl Pie {
-    /// The outline. It may reach out of the circle, but not out of its box, where the straight sides take up most of it.
-    pub(super) fn outline<const N: usize>(&self) -> Outline<N> {
+    /// Adds the outline, with room for so many vertices. It may reach out of the circle, but not out of its box, where
+    /// the straight sides take up most of it.
+    #[inline(never)]
+    pub(super) fn push(&self, outline: &mut Outline, room: usize) {
         let Self { pixels, wedge, offset, .. } = *self;
-        let mut outline = Outline::new();
-        let (Some(start), Some(end)) = (unit(wedge.start), unit(wedge.end)) else { return outline };
+        let (Some(start), Some(end)) = (unit(wedge.start), unit(wedge.end)) else { return };
         let (middle, radius) = (center(&pixels), radius(pixels.width));
         let (after_start, before_end) = (left(left(left(start))), left(end));
         let corner = meet(after_start, offset, before_end, offset);
@@ -102,26 +103,26 @@ impl Pie {
             Sweep::Narrow => offset <= -radius,
         };
         if !is_full && (offset >= radius || (offset > 0 && is_far && wedge.sweep == Sweep::Narrow)) {
-            return outline;
+            return;
         }
-        let chords = chords(radius, if is_full { Angle::from_degrees(360.0) } else { self.sweep }, N, 1);
+        let chords = chords(radius, if is_full { Angle::from_degrees(360.0) } else { self.sweep }, room, 1);
         if is_full {
-            push_arc(&mut outline, middle, (radius, radius), chords, 0..chords.count());
-            return outline;
+            push_arc(outline, middle, (radius, radius), chords, 0..chords.count());
+            return;
         }
         let length = (radius * radius - offset * offset).cast_unsigned().isqrt().cast_signed();
         let first = add(along(start, length), along(after_start, offset));
         let last = add(along(end, length), along(before_end, offset));
-        let push = |outline: &mut Outline<N>, (x, y): Vector| {
+        let push = |outline: &mut Outline, (x, y): Vector| {
             // Clamped: a corner may be far away.
-            let (x, y) = add(middle, (x.clamp(-radius, radius), y.clamp(-radius, radius)));
+            let (x, y) = add(middle, (within(x, radius), within(y, radius)));
             outline.push(vertex(x, y)).unwrap_or_default();
         };
-        push(&mut outline, first);
+        push(outline, first);
         if let (Some(from), Some(to)) = (unit(first), unit(last)) {
-            push_arc(&mut outline, middle, (radius, radius), chords, between(chords, from, to, wedge.sweep));
+            push_arc(outline, middle, (radius, radius), chords, between(chords, from, to, wedge.sweep));
         }
-        push(&mut outline, last);
+        push(outline, last);
         let cut = self.bevel.and_then(|(bisector, at)| {
             let is_cut = corner.is_none_or(|(x, y)| {
                 // A corner is at most 2^36 away.
@@ -135,12 +136,11 @@ impl Pie {
         });
         match (cut, corner) {
             (Some((from, to)), _) => {
-                push(&mut outline, from);
-                push(&mut outline, to);
+                push(outline, from);
+                push(outline, to);
             }
-            (None, Some(corner)) => push(&mut outline, corner),
-            (None, None) => push(&mut outline, along(after_start, offset)),
+            (None, Some(corner)) => push(outline, corner),
+            (None, None) => push(outline, along(after_start, offset)),
         }
-        outline
     }
 }

@@ -7,7 +7,7 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 
-use crate::{Cover, CoverageSink, PixelRect, Span};
+use crate::{CoverageSink, PixelRect, Span, shape::Cover};
 
 /// A box of pixels that may reach out of `i32`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,22 +20,20 @@ pub(super) struct PixelBox {
 
 impl PixelBox {
     pub(super) fn new(top_left: Point, size: Size) -> Self {
-        Self {
-            left: top_left.x.into(),
-            top: top_left.y.into(),
-            width: size.width.into(),
-            height: size.height.into(),
-        }
+        Self { left: top_left.x.into(), top: top_left.y.into(), width: size.width.into(), height: size.height.into() }
     }
 
-    /// With each side moved out by `pixels`, or in by less than none; a side that has nowhere left to go stays empty.
+    /// With each side moved out by `pixels`, or in by less than none, for as long as there is something left.
+    ///
+    /// Nothing grows to the left of its place by a pixel less, as in embedded-graphics, where it is a pixel in the
+    /// middle.
     pub(super) fn offset(&self, pixels: i64) -> Self {
-        Self {
-            left: self.left - pixels,
-            top: self.top - pixels,
-            width: (self.width + 2 * pixels).max(0),
-            height: (self.height + 2 * pixels).max(0),
-        }
+        let axis = |start: i64, length: i64| {
+            let moved = if length == 0 && pixels > 0 { pixels - 1 } else { pixels };
+            (start - moved, (length + 2 * pixels).max(0))
+        };
+        let ((left, width), (top, height)) = (axis(self.left, self.width), axis(self.top, self.height));
+        Self { left, top, width, height }
     }
 
     pub(super) fn is_empty(&self) -> bool {
@@ -45,6 +43,12 @@ impl PixelBox {
     /// Twice its middle, in the coordinates in which pixels have their centres at even numbers.
     pub(super) fn center_2x(&self) -> (i64, i64) {
         (2 * self.left + self.width - 1, 2 * self.top + self.height - 1)
+    }
+
+    /// Whether all of it can be blended: outlines have coordinates of 24 bits, and here one to spare.
+    pub(super) fn can_be_blended(&self) -> bool {
+        const REACH: i64 = 1 << 22;
+        self.left >= -REACH && self.top >= -REACH && self.left + self.width <= REACH && self.top + self.height <= REACH
     }
 
     pub(super) fn columns(&self) -> Range<i64> {
@@ -67,7 +71,7 @@ impl PixelBox {
     pub(super) fn rectangle(&self) -> Rectangle {
         let axis = |start: i64, length: i64| {
             let clamped = start.clamp(i32::MIN.into(), i32::MAX.into());
-            let end = (start + length).clamp(clamped, i64::from(i32::MAX) + 1);
+            let end = (start + length).min(i64::from(i32::MAX) + 1).max(clamped);
             (to_i32(clamped), u32::try_from(end - clamped).unwrap_or(u32::MAX))
         };
         let (x, width) = axis(self.left, self.width);
@@ -86,8 +90,9 @@ pub(super) fn to_i32(value: i64) -> i32 {
 /// What of `range` lies in `clip`; never a range that runs backwards.
 pub(super) fn cut(range: &Range<i64>, clip: &Range<i32>) -> Range<i32> {
     let (low, high) = (i64::from(clip.start), i64::from(clip.end).max(clip.start.into()));
-    let start = range.start.clamp(low, high);
-    to_i32(start)..to_i32(range.end.clamp(start, high))
+    // `clamp` has a panic in it.
+    let start = range.start.max(low).min(high);
+    to_i32(start)..to_i32(range.end.max(start).min(high))
 }
 
 impl Cover for PixelBox {

@@ -2,14 +2,13 @@
 
 use embedded_graphics_core::{draw_target::DrawTarget, primitives::Rectangle};
 
-use crate::{Blend, Mix};
+use crate::{Blend, Mix, PixelRect};
 
 use super::{
     Blended,
     layers::{draw_area, draw_layers},
     paint::{Paint, Stroke},
     pixel_box::PixelBox,
-    rows::draw_rows,
     styled::Primitive,
 };
 
@@ -19,16 +18,37 @@ fn boxes(rectangle: &Rectangle, stroke: &Stroke) -> (PixelBox, PixelBox) {
     (pixels.offset(stroke.outside()), pixels.offset(-stroke.inside()))
 }
 
+/// What of a box the target shows.
+fn fill_box<D: DrawTarget>(pixels: &PixelBox, colour: D::Color, target: &mut D) -> Result<(), D::Error> {
+    let PixelRect { rows, columns } = pixels.visible(&target.bounding_box().into());
+    if rows.is_empty() || columns.is_empty() {
+        return Ok(());
+    }
+    target.fill_solid(&PixelRect { rows, columns }.into(), colour)
+}
+
 impl Primitive for Rectangle {
+    #[inline(never)]
     fn draw_aliased<D: DrawTarget>(&self, paint: &Paint<D::Color>, target: &mut D) -> Result<(), D::Error> {
         let (outer, inner) = boxes(self, &paint.sides);
-        draw_rows(&outer, paint, target, |row, parts| {
-            let columns = if inner.has_row(row) { inner.columns() } else { 0..0 };
-            parts.add_ring(outer.columns(), columns);
-        })
+        if let Some(fill) = paint.fill {
+            fill_box(&inner, fill, target)?;
+        }
+        let Some(stroke) = paint.stroke else { return Ok(()) };
+        if inner.is_empty() {
+            return fill_box(&outer, stroke, target);
+        }
+        let (above, left) = (inner.top - outer.top, inner.left - outer.left);
+        let beside = PixelBox { width: left, ..PixelBox { left: outer.left, ..inner } };
+        fill_box(&PixelBox { height: above, ..outer }, stroke, target)?;
+        fill_box(&beside, stroke, target)?;
+        let right = inner.left + inner.width;
+        fill_box(&PixelBox { left: right, width: outer.left + outer.width - right, ..beside }, stroke, target)?;
+        let below = inner.top + inner.height;
+        fill_box(&PixelBox { top: below, height: outer.top + outer.height - below, ..outer }, stroke, target)
     }
 
-    fn draw_blended<D: DrawTarget, B: Blend<D> + Copy>(
+    fn draw_blended<D: DrawTarget, B: Blend<D>>(
         &self,
         paint: &Paint<D::Color>,
         blended: &Blended<B>,

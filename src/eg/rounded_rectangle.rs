@@ -10,8 +10,7 @@ use crate::{Blend, Mix};
 use super::{
     Blended,
     curve::Curve,
-    layers::{draw_area, draw_layers},
-    outline::{ALONE, Chords, Outline, PAIRED, add_outline, covered, push_arc, radius},
+    outline::{Chords, Layer, Outline, draw_outlines, push_arc, radius},
     paint::{Paint, Stroke},
     pixel_box::PixelBox,
     rows::draw_rows,
@@ -63,17 +62,18 @@ impl Rounded {
         self
     }
 
-    fn outline<const N: usize>(&self) -> Outline<N> {
-        let mut outline = Outline::new();
+    #[inline(never)]
+    fn push(&self, outline: &mut Outline, room: usize) {
         if self.pixels.is_empty() {
-            return outline;
+            return;
         }
         let PixelBox { left, top, width, height } = self.pixels;
         let edges = (256 * left, 256 * top, 256 * (left + width), 256 * (top + height));
-        for (corner, (x, y)) in (0..).zip(self.radii) {
+        // Once more: what made one side fit may not be enough for the others.
+        for (corner, (x, y)) in (0_i32..).zip(self.confined().radii) {
             // Half the size of the ellipse whose quarter the corner is.
             let radii = (radius(2 * x), radius(2 * y));
-            let chords = Chords::new(if x == 0 || y == 0 { 0 } else { radii.0.max(radii.1) }, N - 12);
+            let chords = Chords::new(if x == 0 || y == 0 { 0 } else { radii.0.max(radii.1) }, room.saturating_sub(12));
             let center = (
                 if matches!(corner, 0 | 3) { edges.0 + radii.0 } else { edges.2 - radii.0 },
                 if corner < 2 { edges.1 + radii.1 } else { edges.3 - radii.1 },
@@ -81,9 +81,8 @@ impl Rounded {
             let quarter = chords.count() / 4;
             // Point 0 is on the right, and the first corner begins on the left.
             let first = (corner + 2) * quarter;
-            push_arc(&mut outline, center, radii, chords, first..=first + quarter);
+            push_arc(outline, center, radii, chords, first..=first + quarter);
         }
-        outline
     }
 }
 
@@ -91,11 +90,15 @@ impl Rounded {
 struct Rows {
     shape: Rounded,
     corners: [Curve; 4],
+    /// Whether a corner that has no pixel on a row is cut off there. A corner of a column or two has none on the rows
+    /// at its end; embedded-graphics cuts it off inside of a stroke, and else does not.
+    cuts_empty: bool,
 }
 
 impl Rows {
-    fn new(shape: Rounded) -> Self {
-        Self { shape, corners: shape.radii.map(|(width, height)| Curve::new(2 * width, 2 * height)) }
+    fn new(shape: Rounded, cuts_empty: bool) -> Self {
+        let corners = shape.radii.map(|(width, height)| Curve::new(2 * width, 2 * height));
+        Self { shape, corners, cuts_empty }
     }
 
     fn columns(&mut self, row: i64) -> Range<i64> {
@@ -107,37 +110,46 @@ impl Rows {
         let [top_left, top_right, bottom_right, bottom_left] = &mut self.corners;
         let [a, b, c, d] = self.shape.radii;
         let (above, below) = (row - top, top + height - 1 - row);
-        let left = side(above, below, (top_left, a), (bottom_left, d));
-        let right = side(above, below, (top_right, b), (bottom_right, c));
+        let cuts_empty = self.cuts_empty;
+        let cut = |(left, width): (Option<i64>, i64)| left.unwrap_or(if cuts_empty { width } else { 0 });
+        let left = cut(side(above, below, (top_left, a), (bottom_left, d)));
+        let right = cut(side(above, below, (top_right, b), (bottom_right, c)));
         columns.start + left..columns.end - right
     }
 }
 
-/// How much the corners cut off one end of a row, which has so many rows above it and below it.
-fn side(above: i64, below: i64, upper: (&mut Curve, (i64, i64)), lower: (&mut Curve, (i64, i64))) -> i64 {
+/// How much the corners cut off one end of a row, which has so many rows above it and below it; none when the corner
+/// has no pixel there. And the width of the corner.
+fn side(
+    above: i64,
+    below: i64,
+    upper: (&mut Curve, (i64, i64)),
+    lower: (&mut Curve, (i64, i64)),
+) -> (Option<i64>, i64) {
     let (rows, (curve, (width, height))) = if above < upper.1.1 {
         (above, upper)
     } else if below < lower.1.1 {
         (below, lower)
     } else {
-        return 0;
+        return (Some(0), 0);
     };
-    // The middle of the ellipse lies between two rows and columns. A corner that has no pixel on the row is not cut off
-    // there, as in embedded-graphics: it is a column or two wide, and much higher.
-    curve.reach(2 * (height - rows) - 1).map_or(0, |reach| width - (reach + 1) / 2)
+    // The middle of the ellipse lies between two rows and two columns.
+    let cut = curve.reach(2 * (height - rows) - 1).map(|reach| width - (reach + 1) / 2);
+    (if width == 0 { Some(0) } else { cut }, width)
 }
 
 impl Primitive for RoundedRectangle {
+    #[inline(never)]
     fn draw_aliased<D: DrawTarget>(&self, paint: &Paint<D::Color>, target: &mut D) -> Result<(), D::Error> {
         let outer = Rounded::new(self, paint.sides.outside());
-        let mut outline = Rows::new(outer);
-        let mut filled = Rows::new(Rounded::new(self, -paint.sides.inside()));
+        let mut outline = Rows::new(outer, false);
+        let mut filled = Rows::new(Rounded::new(self, -paint.sides.inside()), paint.stroke.is_some());
         draw_rows(&outer.pixels, paint, target, |row, parts| {
             parts.add_ring(outline.columns(row), filled.columns(row));
         })
     }
 
-    fn draw_blended<D: DrawTarget, B: Blend<D> + Copy>(
+    fn draw_blended<D: DrawTarget, B: Blend<D>>(
         &self,
         paint: &Paint<D::Color>,
         blended: &Blended<B>,
@@ -148,21 +160,13 @@ impl Primitive for RoundedRectangle {
     {
         let outer = Rounded::new(self, paint.sides.outside());
         let inner = Rounded::new(self, -paint.sides.inside());
-        if let (Some(fill), None) = (paint.fill, paint.stroke) {
-            return match covered(&inner.outline::<ALONE>()) {
-                Ok(area) => draw_area(area, fill, blended, target),
-                Err(_) => Ok(()),
-            };
+        if !outer.pixels.can_be_blended() {
+            return self.draw_aliased(paint, target);
         }
-        let (outline, filled) = (outer.outline::<PAIRED>(), inner.outline::<PAIRED>());
-        draw_layers(
-            paint,
-            blended,
-            target,
-            &outer.pixels.rectangle().into(),
-            |clip, tile| add_outline(&outline, clip, tile),
-            |clip, tile| add_outline(&filled, clip, tile),
-        )
+        draw_outlines(paint, blended, target, &outer.pixels, |outline, room, layer| {
+            let rounded = if layer == Layer::Outer { &outer } else { &inner };
+            rounded.push(outline, room);
+        })
     }
 
     fn styled_box(&self, stroke: &Stroke, _is_blended: bool) -> Rectangle {

@@ -1,6 +1,6 @@
 //! Primitives drawn row by row in two colours: the pixels of each are named, and equal rows are sent as one.
 
-use core::ops::Range;
+use core::{mem::swap, ops::Range};
 
 use embedded_graphics_core::{
     draw_target::DrawTarget,
@@ -23,7 +23,7 @@ pub(super) enum Part {
     Fill,
 }
 
-/// The most parts that a row can have: a sector has seven lines across it, two of them twice (circles).
+/// The most parts that a row can have: five lines and two circles cut that of a sector into ten.
 const PARTS: usize = 12;
 
 /// The parts of one row from left to right.
@@ -62,7 +62,8 @@ impl Row {
         }
     }
 
-    /// The pixels of `columns`, each of which `part` tells what it is part of; that changes only at the ends of `ranges`.
+    /// The pixels of `columns`, each of which `part` tells what it is part of; that changes only at the ends of
+    /// `ranges`.
     pub(super) fn add_classified(
         &mut self,
         columns: &Range<i64>,
@@ -110,13 +111,15 @@ pub(super) fn draw_rows<D: DrawTarget>(
         return Ok(());
     }
     let end = rows.end;
-    let (mut top, mut open) = (rows.start, Row::new(&columns));
+    let (mut a, mut b) = (Row::new(&columns), Row::new(&columns));
+    let (mut top, mut open, mut next) = (rows.start, &mut a, &mut b);
     for row in rows {
-        let mut next = Row::new(&columns);
-        parts(row.into(), &mut next);
+        next.parts.clear();
+        parts(row.into(), next);
         if next.parts != open.parts {
             open.send(top..row, paint, target)?;
-            (top, open) = (row, next);
+            swap(&mut open, &mut next);
+            top = row;
         }
     }
     open.send(top..end, paint, target)

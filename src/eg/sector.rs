@@ -12,9 +12,8 @@ use super::{
     Blended,
     circle::boxes,
     curve::Curve,
-    layers::{draw_area, draw_layers},
     normal::unit,
-    outline::{ALONE, PAIRED, add_outline, covered},
+    outline::{Layer, draw_outlines},
     paint::{Paint, Stroke},
     pie::Pie,
     rows::{Part, draw_rows},
@@ -84,6 +83,7 @@ fn pies(sector: &Sector, stroke: &Stroke) -> (Pie, Pie) {
 }
 
 impl Primitive for Sector {
+    #[inline(never)]
     fn draw_aliased<D: DrawTarget>(&self, paint: &Paint<D::Color>, target: &mut D) -> Result<(), D::Error> {
         let stroke = &paint.sides;
         let (outer, inner) = boxes(&self.to_circle(), stroke);
@@ -114,7 +114,7 @@ impl Primitive for Sector {
         })
     }
 
-    fn draw_blended<D: DrawTarget, B: Blend<D> + Copy>(
+    fn draw_blended<D: DrawTarget, B: Blend<D>>(
         &self,
         paint: &Paint<D::Color>,
         blended: &Blended<B>,
@@ -124,21 +124,13 @@ impl Primitive for Sector {
         D::Color: Mix,
     {
         let (outer, inner) = pies(self, &paint.sides);
-        if let (Some(fill), None) = (paint.fill, paint.stroke) {
-            return match covered(&inner.outline::<ALONE>()) {
-                Ok(area) => draw_area(area, fill, blended, target),
-                Err(_) => Ok(()),
-            };
+        if !outer.pixels.can_be_blended() {
+            return self.draw_aliased(paint, target);
         }
-        let (outline, filled) = (outer.outline::<PAIRED>(), inner.outline::<PAIRED>());
-        draw_layers(
-            paint,
-            blended,
-            target,
-            &outer.pixels.rectangle().into(),
-            |clip, tile| add_outline(&outline, clip, tile),
-            |clip, tile| add_outline(&filled, clip, tile),
-        )
+        draw_outlines(paint, blended, target, &outer.pixels, |outline, room, layer| {
+            let pie = if layer == Layer::Outer { &outer } else { &inner };
+            pie.push(outline, room);
+        })
     }
 
     fn styled_box(&self, stroke: &Stroke, _is_blended: bool) -> Rectangle {

@@ -36,24 +36,26 @@ fn corner((x, y): Vector) -> Vertex {
 pub(super) fn cap(from: Vector, to: Vector) -> Vector {
     let (x, y) = minus(to, from);
     let major = x.abs().max(y.abs());
-    if major == 0 { (128, 0) } else { (128 * x / major, 128 * y / major) }
+    if major <= 0 { (128, 0) } else { (128 * x / major, 128 * y / major) }
 }
 
 /// The tip of two sides that meet at `at`, each `offset` along its normal; none when it is farther away than `limit`.
 pub(super) fn mitre(at: Vector, normals: [Vector; 2], offset: i64, limit: i64) -> Option<Vector> {
-    let [a, b] = normals;
+    let tip = tip(normals, offset)?;
+    let square = |value: i64| value.unsigned_abs().saturating_pow(2);
+    let is_near = square(tip.0).saturating_add(square(tip.1)) <= square(limit);
+    is_near.then(|| add(at, tip))
+}
+
+/// From where two sides meet to where they do when each is moved `offset` along its normal; none where they turn back.
+pub(super) fn tip([a, b]: [Vector; 2], offset: i64) -> Option<Vector> {
     // Half the square of the length of the sum of the normals.
     let sum = ONE + dot(a, b);
-    if sum < ONE >> 6 {
+    if sum < ONE >> 18 {
         return None;
     }
-    // An offset is below 2^25, so this is below 2^33.
-    let tip = (offset * (a.0 + b.0) / sum, offset * (a.1 + b.1) / sum);
-    let square = |value: i64| value.unsigned_abs().pow(2);
-    if limit > 0 && square(tip.0).saturating_add(square(tip.1)) > square(limit) {
-        return None;
-    }
-    Some(add(at, tip))
+    // An offset is below 2^25, so this is below 2^45.
+    Some(((offset * (a.0 + b.0)).checked_div(sum)?, (offset * (a.1 + b.1)).checked_div(sum)?))
 }
 
 /// The sides of a stroke in 1/256 pixel: to its left and to its right, and how far a mitre may reach.
@@ -71,7 +73,7 @@ impl Sides {
     }
 }
 
-/// The rectangle around a segment, longer by `caps` at its start and end.
+/// The rectangle around a segment.
 fn segment(start: Vector, end: Vector, direction: Vector, sides: &Sides) -> [Vertex; 4] {
     let normal = left(direction);
     let (up, down) = (along(normal, sides.left), along(normal, -sides.right));
@@ -114,7 +116,11 @@ pub(super) fn each_area<E>(
     // The last segment that has a length ends where the points from there on are all the same.
     let end_of_all = points.iter().rposition(|point| place(point) != last).map_or(0, |index| index + 1);
     if end_of_all == 0 {
-        return if is_near(first, first) { area(&segment(minus(first, (128, 0)), add(first, (128, 0)), (ONE, 0), sides)) } else { Ok(()) };
+        return if is_near(first, first) {
+            area(&segment(minus(first, (128, 0)), add(first, (128, 0)), (ONE, 0), sides))
+        } else {
+            Ok(())
+        };
     }
     for (index, point) in points.iter().enumerate().skip(1) {
         let end = place(point);

@@ -103,8 +103,8 @@ impl<C: PixelColor> From<PrimitiveStyle<C>> for Style<C> {
 }
 
 impl<C, E> Style<C, E> {
-    /// The same with anti-aliased edges: over a [known background](crate::Over), which every target can be given, or over
-    /// [what the target shows](crate::ReadBack), for targets that can be read; these are drawn by
+    /// The same with anti-aliased edges: over a [known background](crate::Over), which every target can be given, or
+    /// over [what the target shows](crate::ReadBack), for targets that can be read; these are drawn by
     /// [`draw_on`](super::DrawOn::draw_on).
     #[inline]
     pub fn antialiased<B>(self, blend: B) -> Style<C, Blended<B>> {

@@ -5,7 +5,10 @@ use embedded_graphics::primitives::{
 };
 use embedded_graphics_core::{draw_target::DrawTarget, pixelcolor::PixelColor, primitives::Rectangle};
 
-use crate::{Blend, Mix, Over};
+use crate::{
+    Blend, Mix, Over,
+    blend::{Dither, Linear, MixLinear},
+};
 
 use super::{
     Blended, Style,
@@ -18,7 +21,7 @@ pub(super) trait Primitive {
     fn draw_aliased<D: DrawTarget>(&self, paint: &Paint<D::Color>, target: &mut D) -> Result<(), D::Error>;
 
     /// Each pixel at most once.
-    fn draw_blended<D: DrawTarget, B: Blend<D> + Copy>(
+    fn draw_blended<D: DrawTarget, B: Blend<D>>(
         &self,
         paint: &Paint<D::Color>,
         blended: &Blended<B>,
@@ -31,13 +34,15 @@ pub(super) trait Primitive {
     fn styled_box(&self, stroke: &Stroke, is_blended: bool) -> Rectangle;
 }
 
-/// Draws styled primitives whose blending needs more than a `DrawTarget`: [`ReadBack`](crate::ReadBack) needs `GetPixel`.
+/// Draws styled primitives whose blending needs more than a `DrawTarget`: [`ReadBack`](crate::ReadBack) needs
+/// `GetPixel`.
 ///
 /// # Examples
 ///
 /// ```
 /// use embedded_graphics::{
 ///     framebuffer::{Framebuffer, buffer_size},
+///     image::GetPixel,
 ///     pixelcolor::{Rgb565, raw::LittleEndian},
 ///     prelude::*,
 ///     primitives::Circle,
@@ -78,18 +83,10 @@ macro_rules! styled {
             }
         }
 
-        impl<C: Mix> StyledDrawable<Style<C, Blended<Over<C>>>> for $primitive {
-            type Color = C;
-            type Output = ();
-
-            fn draw_styled<D: DrawTarget<Color = C>>(
-                &self,
-                style: &Style<C, Blended<Over<C>>>,
-                target: &mut D,
-            ) -> Result<(), D::Error> {
-                self.draw_blended(&Paint::new(style), &style.edges, target)
-            }
-        }
+        // `draw_styled` draws on every target there is, so only what blends on all of them has it.
+        styled!($primitive, Over<C> where C: Mix);
+        styled!($primitive, Linear<Over<C>> where C: Mix + MixLinear);
+        styled!($primitive, Dither where C: Mix);
 
         impl<C: PixelColor, B> StyledDimensions<Style<C, Blended<B>>> for $primitive {
             fn styled_bounding_box(&self, style: &Style<C, Blended<B>>) -> Rectangle {
@@ -97,7 +94,7 @@ macro_rules! styled {
             }
         }
 
-        impl<C: Mix, B: Copy> DrawOn<C, B> for Styled<$primitive, Style<C, Blended<B>>> {
+        impl<C: Mix, B> DrawOn<C, B> for Styled<$primitive, Style<C, Blended<B>>> {
             fn draw_on<D: DrawTarget<Color = C>>(&self, target: &mut D) -> Result<(), D::Error>
             where
                 B: Blend<D>,
@@ -106,7 +103,20 @@ macro_rules! styled {
             }
         }
     )+};
+    ($primitive:ty, $blend:ty where $colour:ident: $($bound:tt)+) => {
+        impl<$colour: $($bound)+> StyledDrawable<Style<$colour, Blended<$blend>>> for $primitive {
+            type Color = $colour;
+            type Output = ();
+
+            fn draw_styled<D: DrawTarget<Color = $colour>>(
+                &self,
+                style: &Style<$colour, Blended<$blend>>,
+                target: &mut D,
+            ) -> Result<(), D::Error> {
+                self.draw_blended(&Paint::new(style), &style.edges, target)
+            }
+        }
+    };
 }
 
 styled!(Rectangle, Circle, Ellipse, RoundedRectangle, Triangle, Line, Polyline<'_>, Arc, Sector);
-

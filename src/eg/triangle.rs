@@ -1,23 +1,21 @@
 //! Triangles between the centres of pixels: this crate's own, with strokes between two exact outlines.
 
 use embedded_graphics::primitives::Triangle;
-use embedded_graphics_core::{
-    Drawable, draw_target::DrawTarget, geometry::Point, primitives::Rectangle,
-};
+use embedded_graphics_core::{Drawable, draw_target::DrawTarget, geometry::Point, primitives::Rectangle};
 use heapless::Vec;
 
-use crate::{Blend, Fill, FillRule, Mix, PixelRect, Polygon, Vertex};
+use crate::{Blend, FillRule, Mix, PixelRect, Polygon, Vertex, draw::Fill};
 
 use super::{
     Blended,
     layers::{draw_area, draw_layers, union},
-    line::{around, draw_thick, draw_thick_blended, stroked_box},
     normal::{Vector, add, along, left, unit},
     outline::{UNIT_BITS, add_outline, vertex},
     paint::{Paint, Stroke},
-    stroked::{Sides, centre, mitre},
+    stroked::{Sides, centre, mitre, tip},
     styled::Primitive,
-    thin::draw_thin,
+    thick::{around, draw_thick, draw_thick_blended, stroked_box},
+    thin::draw_chain,
 };
 
 /// A triangle with its corners clockwise, and the directions of its sides.
@@ -84,21 +82,29 @@ impl Clockwise {
         if i128::from(sides.right) * perimeter >= self.doubled_area {
             return None;
         }
-        let [a, b, c] = self.corners().map(|(at, normals)| {
-            mitre(at, normals, -sides.right, 0).unwrap_or(at)
-        });
-        Some([a, b, c].map(|(x, y)| vertex(x, y)))
+        let [a, b, c] = self.corners().map(|(at, normals)| Some(add(at, tip(normals, -sides.right)?)));
+        Some([a?, b?, c?].map(|(x, y)| vertex(x, y)))
     }
 }
 
-/// The ends of a triangle that is a line.
-fn flat(triangle: &Triangle) -> [Point; 2] {
-    let [a, b, c] = triangle.vertices.map(|Point { x, y }| (y, x));
-    let point = |(y, x): (i32, i32)| Point::new(x, y);
-    [point(a.min(b).min(c)), point(a.max(b).max(c))]
+/// The corners of a triangle that is a line, in order.
+fn flat(triangle: &Triangle) -> [Point; 3] {
+    let mut corners = triangle.vertices;
+    corners.sort_unstable_by_key(|corner| (corner.y, corner.x));
+    corners
+}
+
+fn ends([first, _, last]: [Point; 3]) -> [Point; 2] {
+    [first, last]
+}
+
+/// The sides one pixel thin, in embedded-graphics' directions.
+fn draw_sides<D: DrawTarget>([a, b, c]: [Point; 3], stroke: D::Color, target: &mut D) -> Result<(), D::Error> {
+    draw_chain([a, b, c, a].into_iter(), stroke, target)
 }
 
 impl Primitive for Triangle {
+    #[inline(never)]
     fn draw_aliased<D: DrawTarget>(&self, paint: &Paint<D::Color>, target: &mut D) -> Result<(), D::Error> {
         let [a, b, c] = self.vertices;
         if paint.sides.width == 0 || (paint.sides.width == 1 && paint.stroke.is_some()) {
@@ -108,19 +114,17 @@ impl Primitive for Triangle {
         }
         let sides = Sides::new(&paint.sides);
         let Some(clockwise) = Clockwise::new(self) else {
-            let [start, end] = flat(self);
+            let corners = flat(self);
             return match paint.stroke {
-                Some(stroke) if paint.sides.width == 1 => draw_thin(start, end, stroke, target),
-                Some(stroke) => draw_thick(&[start, end], Point::zero(), &sides, stroke, target),
+                Some(stroke) if paint.sides.width == 1 => draw_sides(corners, stroke, target),
+                Some(stroke) => {
+                    draw_thick(&ends(corners), Point::zero(), &Sides::new(&paint.sides.open()), stroke, target)
+                }
                 None => Ok(()),
             };
         };
         if let (Some(stroke), 1) = (paint.stroke, paint.sides.width) {
-            // In embedded-graphics' directions.
-            let [a, b, c] = clockwise.pixels;
-            draw_thin(a, b, stroke, target)?;
-            draw_thin(b, c, stroke, target)?;
-            return draw_thin(c, a, stroke, target);
+            return draw_sides(clockwise.pixels, stroke, target);
         }
         let inner = clockwise.inner(&sides);
         if let Some(stroke) = paint.stroke {
@@ -139,7 +143,7 @@ impl Primitive for Triangle {
         }
     }
 
-    fn draw_blended<D: DrawTarget, B: Blend<D> + Copy>(
+    fn draw_blended<D: DrawTarget, B: Blend<D>>(
         &self,
         paint: &Paint<D::Color>,
         blended: &Blended<B>,
@@ -153,7 +157,7 @@ impl Primitive for Triangle {
             if paint.stroke.is_none() {
                 return Ok(());
             }
-            return draw_thick_blended(&flat(self), Point::zero(), paint, blended, target);
+            return draw_thick_blended(&ends(flat(self)), Point::zero(), paint, blended, target);
         };
         let inner = clockwise.inner(&sides);
         if let (Some(fill), None) = (paint.fill, paint.stroke) {
@@ -184,7 +188,7 @@ impl Primitive for Triangle {
         let sides = Sides::new(stroke);
         let outer = match Clockwise::new(self) {
             Some(clockwise) => around(&clockwise.outer(&sides)),
-            None => stroked_box(&flat(self), Point::zero(), stroke, is_blended).into(),
+            None => stroked_box(&ends(flat(self)), Point::zero(), stroke, is_blended).into(),
         };
         union(&outer, &PixelRect::from(plain)).into()
     }

@@ -75,8 +75,9 @@ pub(super) fn direction(angle: Angle) -> (i64, i64) {
         return (-DIRECTION, 0);
     }
     let scaled = |value: f32| {
-        #[allow(clippy::cast_possible_truncation, reason = "a sine; cut off as embedded-graphics does")]
-        let scaled = (value * 1024.0) as i32;
+        // Of angles far beyond a turn micromath makes more than a sine.
+        #[allow(clippy::cast_possible_truncation, reason = "clamped; cut off as embedded-graphics does")]
+        let scaled = (value * 1024.0).clamp(-1100.0, 1100.0) as i32;
         i64::from(scaled)
     };
     let radians = angle.to_radians();
@@ -104,7 +105,7 @@ impl HalfPlane {
                 -(-(least + center_2x)).div_euclid(2)..FAR
             }
             _ => {
-                let most = (-rest).div_euclid(-x);
+                let most = (-rest).div_euclid((-x).max(1));
                 -FAR..(most + center_2x).div_euclid(2) + 1
             }
         }

@@ -299,7 +299,9 @@ fn add_block<const WIDE: bool>(block: &mut [CoverageEdge], height: i32, winding:
             *winding = across;
             return;
         };
-        block.swap(index, index + 1);
+        if let Some([left, right]) = block.get_mut(index..=index + 1) {
+            core::mem::swap(left, right);
+        }
         upper = lower;
     }
 }

@@ -125,8 +125,8 @@ impl<'a> Polygon<'a> {
     ///
     /// # Cost
     ///
-    /// One division an edge, then an addition and a subtraction for each edge and line of samples, and one division for
-    /// each where the inside begins or ends.
+    /// One division an edge, then an addition and a subtraction for each edge and line of samples, and two cells for each
+    /// edge where the inside begins or ends. 32 bytes a slot, 2 bytes a cell.
     pub fn supersampled_in<'s>(
         self,
         samples: Samples,

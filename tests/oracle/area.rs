@@ -22,7 +22,7 @@ pub(crate) struct Area {
 }
 
 impl Area {
-    fn whole(inside: bool) -> Self {
+    pub(crate) fn whole(inside: bool) -> Self {
         Self { value: f64::from(u8::from(inside)), error: 0.0, edges: 0 }
     }
 }
@@ -100,6 +100,9 @@ impl Edge {
 
     /// The height at which two edges cross, unless that is outside the row or they never do.
     fn height_of_crossing(&self, other: &Self) -> Option<i128> {
+        if self.reach.1 <= other.reach.0 || other.reach.1 <= self.reach.0 {
+            return None;
+        }
         let mut turn = self.dx() * other.dy() - other.dx() * self.dy();
         if turn == 0 {
             return None;
@@ -325,7 +328,7 @@ fn disc_area(left: i64, top: i64, radius: i64) -> Area {
     let in_pixels = radius as f64 / ONE as f64;
     let center = (-left as f64 / ONE as f64, -top as f64 / ONE as f64);
     if stretches.is_empty() {
-        let has_center = 0.0 < center.0 && center.0 < 1.0 && 0.0 < center.1 && center.1 < 1.0;
+        let has_center = is_within_pixel(center);
         let value = if has_center { std::f64::consts::PI * in_pixels * in_pixels } else { 0.0 };
         return Area { value, error: 1e-15, edges: usize::from(has_center) };
     }
@@ -342,6 +345,10 @@ fn disc_area(left: i64, top: i64, radius: i64) -> Area {
         }
     }
     Area { value: enclosed(&rim) + bulges, error: 1e-10, edges: 1 }
+}
+
+fn is_within_pixel((x, y): (f64, f64)) -> bool {
+    0.0 < x && x < 1.0 && 0.0 < y && y < 1.0
 }
 
 /// Clockwise from the upper left corner.
@@ -379,10 +386,10 @@ fn bulge(radius: f64, center: (f64, f64), from: (f64, f64), to: (f64, f64), forw
     } else {
         let (a, b) = ((from.0 - center.0, from.1 - center.1), (to.0 - center.0, to.1 - center.1));
         let angle = (a.0 * b.1 - a.1 * b.0).atan2(a.0 * b.0 + a.1 * b.1);
-        // No arc at all or all of the circle: a point that is almost the other lies ahead on the rim or behind.
+        // No arc at all or all of the circle, which then lies within the pixel and leads most of the way around its rim.
         match angle.abs() < 1e-6 {
-            true if forward < 2.0 => angle.max(0.0),
-            true => std::f64::consts::TAU,
+            true if forward > 2.0 && is_within_pixel(center) => std::f64::consts::TAU,
+            true => angle.max(0.0),
             false => angle.rem_euclid(std::f64::consts::TAU),
         }
     };

@@ -174,7 +174,12 @@ pub(crate) fn coverage_within(shape: &impl Cover, clip: &PixelRect, window: &Pix
 
 /// The same from a shape that may send vertical strips.
 pub(crate) fn coverage_in_strips(shape: &impl Cover, clip: &PixelRect) -> CoverageGrid {
-    let mut sink = CheckedCoverage::new(clip, clip, true);
+    coverage_in_strips_within(shape, clip, clip)
+}
+
+/// The same for a clip too large to count in.
+pub(crate) fn coverage_in_strips_within(shape: &impl Cover, clip: &PixelRect, window: &PixelRect) -> CoverageGrid {
+    let mut sink = CheckedCoverage::new(clip, window, true);
     let Ok(()) = shape.coverage(clip, &mut sink);
     sink.grid
 }
@@ -245,6 +250,11 @@ impl Tolerance {
     }
 }
 
+/// Whether there are coordinates in the pixel. No shape covers any other.
+pub(crate) fn has_coordinates(column: i32, row: i32) -> bool {
+    [column, row].iter().all(|pixel| (i32::MIN >> 8..=i32::MAX >> 8).contains(pixel))
+}
+
 /// Holds a shape's coverage against its areas. `Ok` says whether the window shows an outline.
 pub(crate) fn check_coverage<S: Cover + HasArea + Belongs>(
     shape: &S,
@@ -256,6 +266,7 @@ pub(crate) fn check_coverage<S: Cover + HasArea + Belongs>(
     for row in clip.rows.clone() {
         let areas = shape.areas_in_row(row, &clip.columns);
         for ((column, area), coverage) in clip.columns.clone().zip(areas).zip(drawn.row(row)) {
+            let area = if has_coordinates(column, row) { area } else { Area::whole(false) };
             let error = (f64::from(*coverage) - 255.0 * area.value).abs();
             worst.note(area.edges, error);
             if error > tolerance.of(&area) {

@@ -1,0 +1,337 @@
+//! Coverage in pieces: any split of a clip into bands, columns and tiles gives the whole, bit for bit, and so does any
+//! amount of scratch; too little is an error that says how much there has to be.
+
+mod oracle;
+
+use std::ops::Range;
+
+use embedded_graphics::{Drawable as _, mock_display::MockDisplay, pixelcolor::Gray8, prelude::GrayColor as _};
+use oracle::{
+    Belongs, CoverageGrid, Outline, Rng, cases, check_same_coverage, coverage,
+    coverage_grid::coverage_in_strips_within,
+    coverage_in_strips, coverage_within, for_each_case, random, rect,
+    rule::{At, edges},
+};
+use spanfill::{
+    AntiAlias as _, Cell, Circle, Cover, CoverageEdge, CoverageSink, Line, Over, PixelRect, Polygon, Span,
+    TooLittleScratch, TooManyEdges, Triangle, Vertex,
+};
+
+/// Cuts a range anywhere, into pieces some of which may be empty.
+fn cuts(rng: &mut Rng, range: &Range<i32>) -> Vec<Range<i32>> {
+    let mut at: Vec<i32> = (0..rng.index(5))
+        .map(|_| rng.int(range.start.into()..=range.end.into()) as i32)
+        .chain([range.start, range.end])
+        .collect();
+    at.sort_unstable();
+    at.windows(2).map(|pair| pair[0]..pair[1]).collect()
+}
+
+/// Draws a shape in one piece and in many. One if the window shows an outline.
+fn check_split(rng: &mut Rng, shape: &(impl Cover + Belongs), window: &PixelRect) -> u64 {
+    let whole = coverage(shape, window);
+    let mut pieces = CoverageGrid::new(window.clone());
+    for rows in cuts(rng, &window.rows) {
+        for columns in cuts(rng, &window.columns) {
+            pieces.add(&coverage(shape, &rect(columns, rows.clone())));
+        }
+    }
+    check_same_coverage(&pieces, &whole, || format!("pieces of {}", shape.code()));
+    // Row by row, and column by column.
+    let mut slices = CoverageGrid::new(window.clone());
+    if rng.one_in(2) {
+        for row in window.rows.clone() {
+            slices.add(&coverage(shape, &rect(window.columns.clone(), row..row + 1)));
+        }
+    } else {
+        for column in window.columns.clone() {
+            slices.add(&coverage(shape, &rect(column..column + 1, window.rows.clone())));
+        }
+    }
+    check_same_coverage(&slices, &whole, || format!("slices of {}", shape.code()));
+    whole.is_mixed().into()
+}
+
+#[test]
+fn triangles_in_pieces() {
+    let count = cases(10_000);
+    let mixed = for_each_case(400, count, |rng| {
+        let (triangle, window) = random::triangle(rng);
+        Ok(check_split(rng, &triangle, &window))
+    });
+    assert!(mixed * 2 > count, "only {mixed} of {count} showed an outline");
+}
+
+#[test]
+fn lines_in_pieces() {
+    let count = cases(10_000);
+    let mixed = for_each_case(401, count, |rng| {
+        let (line, window) = random::line(rng);
+        Ok(check_split(rng, &line, &window))
+    });
+    assert!(mixed * 2 > count, "only {mixed} of {count} showed an outline");
+}
+
+#[test]
+fn circles_in_pieces() {
+    let count = cases(10_000);
+    let mixed = for_each_case(402, count, |rng| {
+        let (circle, window) = random::circle(rng);
+        Ok(check_split(rng, &circle, &window))
+    });
+    assert!(mixed * 2 > count, "only {mixed} of {count} showed an outline");
+}
+
+#[test]
+fn polygons_in_pieces() {
+    let count = cases(2_500);
+    let mixed = for_each_case(403, count, |rng| {
+        let (outline, window) = random::outline(rng);
+        Ok(check_split(rng, &outline, &window))
+    });
+    assert!(mixed * 2 > count, "only {mixed} of {count} showed an outline");
+}
+
+/// A window of thousands of columns and one of thousands of rows: what is stepped or added up goes a long way.
+#[test]
+fn large_shapes_in_pieces() {
+    let mixed = for_each_case(404, cases(60), |rng| {
+        let window = if rng.one_in(2) { rect(0..4_000, 20..24) } else { rect(20..24, 0..4_000) };
+        let mut far = || random::vertex(rng.int(-600_000..=1_900_000), rng.int(-600_000..=1_900_000));
+        let vertices = [far(), far(), far(), far(), far()];
+        let line = Line::new(vertices[0], vertices[1]);
+        let circle = Circle::from_bits(vertices[2], rng.int(1..=2_000_000) as i32);
+        let outline = Outline::of(&vertices, random::fill_rule(rng));
+        let triangle = Triangle::from_vertices([vertices[2], vertices[3], vertices[4]]);
+        let outlines = check_split(rng, &outline, &window) + check_split(rng, &triangle, &window);
+        Ok(outlines + check_split(rng, &line, &window) + check_split(rng, &circle, &window))
+    });
+    assert!(mixed > cases(60), "only {mixed} showed an outline");
+}
+
+const ALL: PixelRect = PixelRect { rows: i32::MIN..i32::MAX, columns: i32::MIN..i32::MAX };
+
+/// Draws in clips far larger than the shape, up to all the rows and columns there are.
+fn check_large_clips(draw: impl Fn(&PixelRect) -> CoverageGrid, window: &PixelRect, code: &str) {
+    let whole = draw(window);
+    let PixelRect { rows, columns } = window.clone();
+    for clip in [ALL, rect(columns, ALL.rows), rect(ALL.columns, rows)] {
+        check_same_coverage(&draw(&clip), &whole, || format!("{code} in {clip:?}"));
+    }
+}
+
+/// Vertices within a few pixels of each other, and a window around all of a shape between them.
+fn four_vertices(rng: &mut Rng) -> ([Vertex; 4], PixelRect) {
+    let (x, y) = random::place(rng);
+    let within = |at: i64| at.clamp(random::LOWEST + 8192, random::HIGHEST - 8192);
+    let (x, y) = (within(x), within(y));
+    let mut vertex = || random::vertex(x + rng.int(-1500..=1500), y + rng.int(-1500..=1500));
+    let vertices = [vertex(), vertex(), vertex(), vertex()];
+    let (column, row) = ((x >> 8) as i32, (y >> 8) as i32);
+    (vertices, rect(column - 12..column + 13, row - 12..row + 13))
+}
+
+#[test]
+fn triangles_lines_and_circles_in_clips_that_are_far_larger() {
+    for_each_case(405, cases(3_000), |rng| {
+        let ([a, b, c, d], window) = four_vertices(rng);
+        let triangle = Triangle::from_vertices([a, b, c]);
+        check_large_clips(|clip| coverage_within(&triangle, clip, &window), &window, &triangle.code());
+        let line = Line::new(a, d);
+        check_large_clips(|clip| coverage_within(&line, clip, &window), &window, &line.code());
+        let circle = Circle::from_bits(d, rng.int(1..=1500) as i32);
+        check_large_clips(|clip| coverage_within(&circle, clip, &window), &window, &circle.code());
+        Ok(0)
+    });
+}
+
+/// There are strips only where the polygon is, and rows.
+#[test]
+fn polygons_in_clips_that_are_far_larger() {
+    for_each_case(406, cases(300), |rng| {
+        let (vertices, window) = four_vertices(rng);
+        let outline = Outline::of(&vertices, random::fill_rule(rng));
+        check_large_clips(|clip| in_few_cells(&outline, clip, &window), &window, &outline.code());
+        Ok(0)
+    });
+}
+
+/// In the cells of seven columns.
+fn in_few_cells(outline: &Outline, clip: &PixelRect, window: &PixelRect) -> CoverageGrid {
+    outline.with_polygon(|polygon| {
+        let mut edges = vec![CoverageEdge::EMPTY; polygon.coverage_edges()];
+        let mut cells = [Cell::EMPTY; 7];
+        coverage_in_strips_within(&polygon.coverage_in(&mut edges, &mut cells).unwrap(), clip, window)
+    })
+}
+
+#[test]
+fn any_number_of_cells_draws_the_same() {
+    let count = cases(1_500);
+    let mixed = for_each_case(410, count, |rng| {
+        let (outline, window) = random::outline(rng);
+        let whole = coverage(&outline, &window);
+        let width = window.columns.len();
+        outline.with_polygon(|polygon| {
+            // More edges than are needed, and cells: all of them used before.
+            let mut edges = vec![CoverageEdge::EMPTY; polygon.coverage_edges() + rng.index(3)];
+            let mut cells = vec![Cell::EMPTY; 64.max(width + 1)];
+            for count in [1, 2, 7, 64, width, width + 1] {
+                let polygon = polygon.coverage_in(&mut edges, &mut cells[..count]).unwrap();
+                let code = || format!("in {count} cells: {}", outline.code());
+                if count < width {
+                    check_same_coverage(&coverage_in_strips(&polygon, &window), &whole, code);
+                } else {
+                    check_same_coverage(&coverage(&polygon, &window), &whole, code);
+                }
+            }
+            let code = || format!("on the stack: {}", outline.code());
+            if let Ok(polygon) = polygon.coverage_with::<12, 5>() {
+                check_same_coverage(&coverage_in_strips(&polygon, &window), &whole, code);
+            }
+        });
+        Ok(whole.is_mixed().into())
+    });
+    assert!(mixed * 2 > count, "only {mixed} of {count} showed an outline");
+}
+
+/// The most edges that cross a row of 1/256 pixel. There can only be more where one starts.
+fn most_edges_on_a_line(outline: &Outline) -> usize {
+    let edges: Vec<(At, At)> = outline.contours.iter().flat_map(|contour| edges(contour)).collect();
+    let crossings = |y: i64| edges.iter().filter(|(a, b)| a.y.min(b.y) <= y && y < a.y.max(b.y)).count();
+    edges.iter().map(|(a, b)| crossings(a.y.min(b.y))).max().unwrap_or(0)
+}
+
+#[test]
+fn one_edge_too_few_is_an_error_that_names_both_numbers() {
+    let refused = for_each_case(411, cases(20_000), |rng| {
+        let (outline, _) = random::outline(rng);
+        let expected = most_edges_on_a_line(&outline);
+        outline.with_polygon(|polygon| {
+            let needed = polygon.coverage_edges();
+            if needed != expected || polygon.coverage_edges_at_most() < needed {
+                let at_most = polygon.coverage_edges_at_most();
+                return Err(format!("{needed}, not {expected}, at most {at_most}: {}", outline.code()));
+            }
+            let mut edges = vec![CoverageEdge::EMPTY; needed];
+            assert!(polygon.coverage_in(&mut edges, &mut [Cell::EMPTY]).is_ok(), "{}", outline.code());
+            match polygon.coverage_with::<4, 8>() {
+                Ok(_) => assert!(needed <= 4, "{}", outline.code()),
+                Err(error) => assert_eq!(error, TooManyEdges { needed, available: 4 }, "{}", outline.code()),
+            }
+            if needed == 0 {
+                return Ok(0);
+            }
+            for available in [needed - 1, rng.index(needed)] {
+                let error = polygon.coverage_in(&mut edges[..available], &mut [Cell::EMPTY]).map(|_| ()).unwrap_err();
+                let expected = TooLittleScratch::Edges(TooManyEdges { needed, available });
+                assert_eq!(error, expected, "{}", outline.code());
+            }
+            Ok(1)
+        })
+    });
+    assert!(refused > 0);
+}
+
+const ARROW: [Vertex; 4] = [Vertex::pixel(4, 0), Vertex::pixel(8, 7), Vertex::pixel(4, 4), Vertex::pixel(0, 7)];
+const ARROW_EDGES: usize = Polygon::new(&ARROW).coverage_edges();
+
+#[test]
+fn not_a_single_cell_is_an_error() {
+    let polygon = Polygon::new(&ARROW);
+    let mut edges = [CoverageEdge::EMPTY; ARROW_EDGES];
+    let error = polygon.coverage_in(&mut edges, &mut []).map(|_| ()).unwrap_err();
+    assert_eq!(error, TooLittleScratch::NoCells);
+    assert!(error.to_string().contains("cell"), "{error}");
+    // What has nothing to draw may be refused, but not for its edges.
+    assert!(matches!(Polygon::new(&[]).coverage_in(&mut [], &mut []), Err(TooLittleScratch::NoCells)));
+    assert!(Polygon::new(&[]).coverage_in(&mut [], &mut [Cell::EMPTY]).is_ok());
+}
+
+#[test]
+fn a_refused_polygon_leaves_the_display_untouched() {
+    let mut display = MockDisplay::<Gray8>::new();
+    let (mut edges, mut cells) = ([CoverageEdge::EMPTY; ARROW_EDGES - 1], [Cell::EMPTY; 8]);
+    let mut draw = || -> Result<(), TooLittleScratch> {
+        let arrow = Polygon::new(&ARROW).coverage_in(&mut edges, &mut cells)?;
+        let Ok(()) = arrow.antialiased(Gray8::WHITE, Over(Gray8::BLACK)).draw(&mut display);
+        Ok(())
+    };
+    assert_eq!(draw(), Err(TooLittleScratch::Edges(TooManyEdges { needed: 4, available: 3 })));
+    assert_eq!(display.affected_area().size.width, 0);
+    let error = TooLittleScratch::from(TooManyEdges { needed: 12, available: 8 }).to_string();
+    assert!(error.contains("12") && error.contains('8'), "{error}");
+}
+
+/// Takes `left` calls and refuses the next.
+struct Failing {
+    left: usize,
+    taken: Vec<(i32, i32, Vec<u8>)>,
+    has_failed: bool,
+}
+
+impl Failing {
+    fn after(left: usize) -> Self {
+        Self { left, taken: Vec::new(), has_failed: false }
+    }
+
+    fn take(&mut self, row: i32, column: i32, coverage: Vec<u8>) -> Result<(), usize> {
+        assert!(!self.has_failed, "called again after it failed");
+        if self.taken.len() == self.left {
+            self.has_failed = true;
+            return Err(self.left);
+        }
+        self.taken.push((row, column, coverage));
+        Ok(())
+    }
+}
+
+impl CoverageSink for Failing {
+    type Error = usize;
+
+    fn span(&mut self, Span { row, columns }: Span, coverage: u8) -> Result<(), usize> {
+        self.take(row, columns.start, vec![coverage; columns.len()])
+    }
+
+    fn run(&mut self, row: i32, column: i32, coverage: &[u8]) -> Result<(), usize> {
+        self.take(row, column, coverage.to_vec())
+    }
+}
+
+/// A shape that is cut off by its sink stops there with the sink's error, and is whole again the next time.
+fn check_failing(rng: &mut Rng, shape: &impl Cover, window: &PixelRect) -> u64 {
+    let mut whole = Failing::after(usize::MAX);
+    shape.coverage(window, &mut whole).unwrap();
+    let calls = whole.taken.len();
+    if calls == 0 {
+        return 0;
+    }
+    let left = rng.index(calls);
+    let mut part = Failing::after(left);
+    assert_eq!(shape.coverage(window, &mut part), Err(left));
+    assert_eq!(part.taken, whole.taken[..left]);
+    let mut again = Failing::after(usize::MAX);
+    shape.coverage(window, &mut again).unwrap();
+    assert_eq!(again.taken, whole.taken);
+    1
+}
+
+#[test]
+fn a_sink_that_fails_ends_the_walk_and_leaves_the_scratch_in_order() {
+    let count = cases(2_000);
+    let failed = for_each_case(412, count, |rng| {
+        let (outline, window) = random::outline(rng);
+        let failed = outline.with_polygon(|polygon| {
+            let mut edges = vec![CoverageEdge::EMPTY; polygon.coverage_edges()];
+            let mut cells = vec![Cell::EMPTY; rng.pick(&[3, 24])];
+            check_failing(rng, &polygon.coverage_in(&mut edges, &mut cells).unwrap(), &window)
+        });
+        let (triangle, window) = random::triangle(rng);
+        let failed = failed + check_failing(rng, &triangle, &window);
+        let (line, window) = random::line(rng);
+        let failed = failed + check_failing(rng, &line, &window);
+        let (circle, window) = random::circle(rng);
+        Ok(failed + check_failing(rng, &circle, &window))
+    });
+    assert!(failed > count * 2, "only {failed} of {} drew anything", 4 * count);
+}
