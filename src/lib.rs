@@ -92,7 +92,8 @@ pub use fixed::types::I24F8;
 pub use geometry::{PixelRect, Vertex};
 pub use shape::{
     ActiveEdge, ActiveEdges, Circle, Cover, CoverageEdge, FillRule, Line, Polygon, PolygonCoverageIn,
-    PolygonCoverageWith, PolygonEdges, PolygonInScratch, PolygonWithCapacity, SampleEdge, Shape, SupersampledIn, Triangle,
+    PolygonCoverageWith, PolygonEdges, PolygonInScratch, PolygonWithCapacity, SampleEdge, Shape, SupersampledIn,
+    Triangle,
 };
 pub use span::{BlockSink, Span, SpanSink};
 pub use turn::Turn;

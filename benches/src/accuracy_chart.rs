@@ -16,8 +16,11 @@ const SPANFILL: RGBColor = RGBColor(0x0b, 0x6e, 0x4f);
 const PEER: RGBColor = RGBColor(0x4a, 0x7a, 0xb5);
 
 /// A mark for each of these, of those that were measured.
-const MARKS: [(Variant, &str, RGBColor, Ends); 8] = [
+const MARKS: [(Variant, &str, RGBColor, Ends); 11] = [
     (Variant::Aliased, "spanfill, aliased", SPANFILL, Ends::Picture),
+    (Variant::Samples4, "spanfill, 4x4 samples", SPANFILL, Ends::Picture),
+    (Variant::SamplesWeighted, "spanfill, weighted", SPANFILL, Ends::Picture),
+    (Variant::Samples16, "spanfill, 16x16 samples", SPANFILL, Ends::Picture),
     (Variant::AntiAliased, "spanfill", SPANFILL, Ends::Picture),
     (Variant::Mask, "spanfill, mask", SPANFILL, Ends::Mask),
     (Variant::TinySkiaAntiAliased, "tiny-skia", PEER, Ends::Picture),

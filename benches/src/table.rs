@@ -9,8 +9,8 @@ use crate::{
 };
 
 use Variant::{
-    AbGlyph, Aliased, AntiAliased, AntiAliasedOver, BlendFloor, EmbeddedGraphics, Floor, Mask, Spanfill, TinySkia,
-    TinySkiaAntiAliased, TinySkiaKeptPath, Vello, VelloAlone, Zeno,
+    AbGlyph, Aliased, AntiAliased, AntiAliasedOver, BlendFloor, EmbeddedGraphics, Floor, Mask, Samples4, Samples16,
+    SamplesWeighted, Spanfill, TinySkia, TinySkiaAntiAliased, TinySkiaKeptPath, Vello, VelloAlone, Zeno,
 };
 
 /// What every scene costs without anti-aliasing, and by which factor; an empty field where a library has no such shape.
@@ -96,10 +96,12 @@ fn write_anti_aliased(table: &mut String, rows: &Rows) -> fmt::Result {
 }
 
 fn write_errors(table: &mut String, rows: &Rows) -> fmt::Result {
-    let variants = [Aliased, AntiAliased, TinySkiaAntiAliased, Vello, Zeno, AbGlyph];
+    let variants =
+        [Aliased, Samples4, SamplesWeighted, Samples16, AntiAliased, TinySkiaAntiAliased, Vello, Zeno, AbGlyph];
     writeln!(
         table,
-        "| largest, mean error in 255ths | aliased | spanfill | tiny-skia | vello_cpu | zeno | ab_glyph |"
+        "| largest, mean error in 255ths | aliased | 4x4 samples | weighted | 16x16 samples | spanfill | tiny-skia \
+         | vello_cpu | zeno | ab_glyph |"
     )?;
     writeln!(table, "|---|{}", "--:|".repeat(variants.len()))?;
     for scene in rows.scenes() {

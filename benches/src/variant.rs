@@ -26,6 +26,12 @@ pub(crate) enum Variant {
     Mask,
     /// The spans and runs that spanfill sends, recorded, and blended again by themselves.
     BlendFloor,
+    /// Coverage by 4 x 4 samples of each pixel in place of its area, blended as [`Variant::AntiAliased`] is.
+    Samples4,
+    /// By 4 x 4 samples, those nearer to the pixel's centre counting for more.
+    SamplesWeighted,
+    /// By 16 x 16 samples.
+    Samples16,
     /// tiny-skia with anti-aliasing.
     TinySkiaAntiAliased,
     /// vello_cpu, hundreds of shapes in each picture that it renders: its best.
@@ -44,12 +50,15 @@ impl Variant {
         [Self::Spanfill, Self::EmbeddedGraphics, Self::TinySkia, Self::TinySkiaKeptPath, Self::Floor];
 
     /// Those that are held to the exact area, in the order of the tables.
-    pub(crate) const ANTI_ALIASED: [Self; 10] = [
+    pub(crate) const ANTI_ALIASED: [Self; 13] = [
         Self::Aliased,
         Self::AntiAliased,
         Self::AntiAliasedOver,
         Self::Mask,
         Self::BlendFloor,
+        Self::Samples4,
+        Self::SamplesWeighted,
+        Self::Samples16,
         Self::TinySkiaAntiAliased,
         Self::Vello,
         Self::VelloAlone,
@@ -74,6 +83,9 @@ impl Variant {
             Self::AntiAliasedOver => "spanfill-aa-over",
             Self::Mask => "spanfill-mask",
             Self::BlendFloor => "blend-floor",
+            Self::Samples4 => "spanfill-4x4",
+            Self::SamplesWeighted => "spanfill-weighted",
+            Self::Samples16 => "spanfill-16x16",
             Self::TinySkiaAntiAliased => "tiny-skia-aa",
             Self::Vello => "vello-cpu",
             Self::VelloAlone => "vello-cpu-alone",

@@ -8,10 +8,19 @@
 
 use core::{convert::Infallible, hint::black_box, panic::PanicInfo};
 
-use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+use embedded_graphics::{
+    geometry::Angle,
+    image::GetPixel,
+    pixelcolor::{Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888},
+    prelude::*,
+    primitives::{self as eg, CornerRadii, Rectangle, StrokeAlignment, StyledDimensions, StyledDrawable},
+};
 use spanfill::{
-    ActiveEdge, ActiveEdges, BlockSink, Circle, FillRule, Line, PixelRect, Polygon, Shape, Span, SpanSink, Triangle,
-    Turn, Vertex, prelude::*,
+    ActiveEdge, ActiveEdges, Blend, BlockSink, Cell, Circle, Cover, CoverageEdge, CoverageSink, Dither, FillRule, Line,
+    Linear, Mix, MixLinear, Over, PixelRect, Polygon, ReadBack, SampleCell, SampleEdge, Samples, Shape, Span, SpanSink,
+    TooLittleScratch, Triangle, Turn, Vertex,
+    eg::{DrawOn, Style, StyleBuilder},
+    prelude::*,
 };
 
 #[panic_handler]
@@ -23,7 +32,7 @@ fn panic(_: &PanicInfo) -> ! {
     the_library_has_a_panic_path()
 }
 
-/// A display of unknown size and place.
+/// A display of unknown size and place that can be read.
 struct Display(Rectangle);
 
 impl Dimensions for Display {
@@ -43,9 +52,30 @@ impl DrawTarget for Display {
         Ok(())
     }
 
+    fn fill_contiguous<I: IntoIterator<Item = Rgb565>>(
+        &mut self,
+        area: &Rectangle,
+        colours: I,
+    ) -> Result<(), Infallible> {
+        black_box(area);
+        colours.into_iter().for_each(|colour| {
+            black_box(colour);
+        });
+        Ok(())
+    }
+
     fn fill_solid(&mut self, area: &Rectangle, colour: Rgb565) -> Result<(), Infallible> {
         black_box((area, colour));
         Ok(())
+    }
+}
+
+impl GetPixel for Display {
+    type Color = Rgb565;
+
+    fn pixel(&self, point: Point) -> Option<Rgb565> {
+        black_box(point);
+        black_box(None)
     }
 }
 
@@ -70,6 +100,20 @@ impl BlockSink for Sink {
     }
 }
 
+impl CoverageSink for Sink {
+    type Error = u8;
+
+    fn span(&mut self, span: Span, coverage: u8) -> Result<(), u8> {
+        black_box((span, coverage));
+        black_box(Ok(()))
+    }
+
+    fn run(&mut self, row: i32, column: i32, coverage: &[u8]) -> Result<(), u8> {
+        black_box((row, column, coverage));
+        black_box(Ok(()))
+    }
+}
+
 fn push(shape: impl Shape, clip: &PixelRect, display: &mut Display) {
     black_box(shape.bounds());
     let _ = black_box(shape.spans(clip, &mut Sink));
@@ -79,38 +123,166 @@ fn push(shape: impl Shape, clip: &PixelRect, display: &mut Display) {
     let Ok(()) = filled.draw(display);
 }
 
+/// Everything that a coverage can be asked, and blended in every way there is.
+fn cover(shape: &impl Cover, clip: &PixelRect, display: &mut Display) {
+    black_box(shape.touched());
+    let _ = black_box(shape.coverage(clip, &mut Sink));
+    let background = Over(black_box(Rgb565::BLUE));
+    let drawable = Borrowed(shape).antialiased(black_box(Rgb565::RED), background);
+    black_box(drawable.bounding_box());
+    let Ok(()) = drawable.draw(display);
+    blend(shape, background, display);
+    blend(shape, Linear(background), display);
+    blend(shape, Dither, display);
+    blend(shape, ReadBack, display);
+    blend(shape, Linear(ReadBack), display);
+}
+
+fn blend(shape: &impl Cover, blend: impl Blend<Display>, display: &mut Display) {
+    let antialiased = Borrowed(shape).antialiased(black_box(Rgb565::RED), blend);
+    let Ok(()) = antialiased.opacity(black_box(255)).draw_on(display);
+}
+
+/// For shapes that cannot be copied.
+struct Borrowed<'a, S>(&'a S);
+
+impl<S: Cover> Cover for Borrowed<'_, S> {
+    fn touched(&self) -> PixelRect {
+        self.0.touched()
+    }
+
+    fn coverage<K: CoverageSink>(&self, clip: &PixelRect, sink: &mut K) -> Result<(), K::Error> {
+        self.0.coverage(clip, sink)
+    }
+}
+
+fn mix<C: Mix + MixLinear + Default>() {
+    let (top, bottom, alpha) = (black_box(C::default()), black_box(C::default()), black_box(0));
+    black_box((top.over(bottom, alpha), top.over_linear(bottom, alpha)));
+}
+
+fn mix_all() {
+    mix::<BinaryColor>();
+    mix::<Gray2>();
+    mix::<Gray4>();
+    mix::<Gray8>();
+    mix::<Rgb555>();
+    mix::<Bgr555>();
+    mix::<Rgb565>();
+    mix::<Bgr565>();
+    mix::<Rgb666>();
+    mix::<Bgr666>();
+    mix::<Rgb888>();
+    mix::<Bgr888>();
+}
+
+/// embedded-graphics' primitives, in each style that this library has for them.
+macro_rules! draw_styled {
+    ($style:expr, $display:expr, [$($primitive:expr),+ $(,)?]) => { $({
+        let (style, display, primitive): (Style<Rgb565>, &mut Display, _) = ($style, $display, $primitive);
+        let Ok(()) = primitive.draw_styled(&style, display);
+        black_box(primitive.styled_bounding_box(&style));
+        let background = Over(black_box(Rgb565::BLUE));
+        let blended = style.antialiased(background).opacity(black_box(255));
+        let Ok(()) = primitive.draw_styled(&blended, display);
+        black_box(primitive.styled_bounding_box(&blended));
+        let Ok(()) = primitive.draw_styled(&style.antialiased(Linear(background)), display);
+        let Ok(()) = primitive.draw_styled(&style.antialiased(Dither), display);
+        let Ok(()) = primitive.into_styled(style.antialiased(ReadBack)).draw_on(display);
+        let Ok(()) = primitive.into_styled(style.antialiased(Linear(ReadBack))).draw_on(display);
+    })+ };
+}
+
+fn draw_primitives(display: &mut Display) {
+    let colours = StyleBuilder::new().fill_color(Rgb565::RED).stroke_color(Rgb565::BLUE);
+    let styles = black_box([
+        colours.stroke_width(1).stroke_alignment(StrokeAlignment::Center).build(),
+        colours.reset_fill_color().build(),
+        colours.reset_stroke_color().build(),
+    ]);
+    let (point, size, diameter) = (black_box(Point::zero()), black_box(Size::zero()), black_box(0));
+    let angle = || Angle::from_radians(black_box(0.0));
+    let rectangle = Rectangle::new(point, size);
+    let points = black_box([point; 5]);
+    for style in styles {
+        black_box(style.is_transparent());
+        draw_styled!(
+            style,
+            display,
+            [
+                rectangle,
+                eg::Circle::new(point, diameter),
+                eg::Ellipse::new(point, size),
+                eg::RoundedRectangle::new(rectangle, black_box(CornerRadii::default())),
+                eg::Triangle::new(point, black_box(point), black_box(point)),
+                eg::Line::new(point, black_box(point)),
+                eg::Polyline::new(&points),
+                eg::Arc::new(point, diameter, angle(), angle()),
+                eg::Sector::new(point, diameter, angle(), angle()),
+            ]
+        );
+    }
+}
+
+fn draw_polygon(polygon: Polygon<'_>, clip: &PixelRect, display: &mut Display) -> Result<(), TooLittleScratch> {
+    black_box((polygon.active_edges_at_most(), polygon.coverage_edges_at_most()));
+    push(polygon.with_capacity::<8>()?, clip, display);
+    push(polygon.in_scratch(ActiveEdges::<8>::new().as_mut_slice())?, clip, display);
+    let mut slots = black_box([ActiveEdge::EMPTY; 16]);
+    push(polygon.in_scratch(some_of(&mut slots))?, clip, display);
+
+    cover(&polygon.coverage_with::<8, 32>()?, clip, display);
+    let (mut edges, mut cells) = (black_box([CoverageEdge::EMPTY; 16]), black_box([Cell::EMPTY; 32]));
+    cover(&polygon.coverage_in(some_of(&mut edges), some_of(&mut cells))?, clip, display);
+    let (mut edges, mut cells) = (black_box([SampleEdge::EMPTY; 16]), black_box([SampleCell::EMPTY; 32]));
+    cover(&polygon.supersampled_in(samples(), some_of(&mut edges), some_of(&mut cells))?, clip, display);
+    Ok(())
+}
+
+/// As many as nobody knows.
+fn some_of<T>(slots: &mut [T]) -> &mut [T] {
+    slots.get_mut(..black_box(16)).unwrap_or_default()
+}
+
+fn samples() -> Samples {
+    if black_box(false) { Samples::WEIGHTED } else { Samples::grid(black_box(4)) }
+}
+
+fn draw_shapes(clip: &PixelRect, display: &mut Display) -> Result<(), TooLittleScratch> {
+    let vertices = black_box([Vertex::from_bits(0, 0); 9]);
+    let [a, b, c, ..] = vertices;
+    let turn = Turn::from_degrees(black_box(0.0));
+    let turn_back = Turn::from_radians(black_box(0.0));
+    let triangle = Triangle::new(a, turn_back.about(a, b), turn.about(c, a));
+    let line = Line::new(a, Vertex::from(black_box(Point::zero())));
+    let circle = Circle::new(Vertex::new(black_box(0.5_f32), black_box(1_i64)), black_box(0.0_f32));
+    push(triangle, clip, display);
+    push(line, clip, display);
+    push(circle, clip, display);
+    push(Circle::new(Vertex::pixel(black_box(0), black_box(0)), black_box(0)), clip, display);
+
+    cover(&triangle, clip, display);
+    cover(&line, clip, display);
+    cover(&circle, clip, display);
+    let mut cells = black_box([SampleCell::EMPTY; 32]);
+    cover(&triangle.supersampled_in(samples(), some_of(&mut cells))?, clip, display);
+    cover(&circle.supersampled_in(samples(), some_of(&mut cells))?, clip, display);
+
+    let contours = [vertices.as_slice(), &vertices];
+    let many = black_box(contours.as_slice());
+    draw_polygon(Polygon::new(&vertices), clip, display)?;
+    draw_polygon(Polygon::with_contours(many).fill_rule(FillRule::EvenOdd), clip, display)
+}
+
 #[cortex_m_rt::entry]
 fn main() -> ! {
     loop {
         let mut display = Display(black_box(Rectangle::zero()));
         let clip = &black_box(PixelRect { rows: 0..0, columns: 0..0 });
-        let vertices = black_box([Vertex::from_bits(0, 0); 9]);
-        let [a, b, c, ..] = vertices;
-        let turn = Turn::from_degrees(black_box(0.0));
-
-        push(Triangle::new(a, b, turn.about(c, a)), clip, &mut display);
-        push(Line::new(a, Vertex::from(black_box(Point::zero()))), clip, &mut display);
-        push(Circle::new(a, black_box(0)), clip, &mut display);
-        push(Circle::new(Vertex::new(black_box(0.5_f32), black_box(1_i64)), black_box(0.0_f32)), clip, &mut display);
-
-        let contours = [vertices.as_slice(), &vertices];
-        let many = black_box(contours.as_slice());
-        let mut edges = ActiveEdges::<8>::new();
-        let mut slots = black_box([ActiveEdge::EMPTY; 16]);
-        for polygon in [Polygon::new(&vertices), Polygon::with_contours(many).fill_rule(FillRule::EvenOdd)] {
-            black_box(polygon.active_edges_at_most());
-            if let Ok(polygon) = polygon.with_capacity::<8>() {
-                push(polygon, clip, &mut display);
-            }
-            if let Ok(polygon) = polygon.in_scratch(edges.as_mut_slice()) {
-                push(polygon, clip, &mut display);
-            }
-            match polygon.in_scratch(slots.get_mut(..black_box(16)).unwrap_or_default()) {
-                Ok(polygon) => push(polygon, clip, &mut display),
-                Err(error) => {
-                    black_box(error);
-                }
-            }
+        if let Err(error) = draw_shapes(clip, &mut display) {
+            black_box(error);
         }
+        draw_primitives(&mut display);
+        mix_all();
     }
 }

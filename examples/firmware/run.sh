@@ -9,8 +9,9 @@ Builds the library and the firmware examples for microcontrollers, and runs the 
 Usage: examples/firmware/run.sh COMMAND
 
 Commands:
-  build              The library, without features, for thumbv6m, thumbv7m, thumbv7em and riscv32imac; the firmware
-                     examples for their boards. `no_panic` links only if the library has no panic path.
+  build              The library, without features and with `embedded-graphics`, for thumbv6m, thumbv7m, thumbv7em and
+                     riscv32imac; the firmware examples for their boards. `no_panic` links only if the library has no
+                     panic path.
   oled [OUT]         Runs `oled` on an emulated board and saves what its panel shows: 512 x 256, each pixel 4 x 4.
                      OUT ends in .png or .ppm. [default: oled.png]
   cycles [--csv OUT] [--readme FILE]
@@ -89,11 +90,13 @@ cargo_for() {
     esac
 }
 
-# build_firmware EXAMPLE TARGET: builds it and prints the name of its ELF file.
+# build_firmware EXAMPLE TARGET [ARGUMENT...]: builds it and prints the name of its ELF file.
 build_firmware() {
+    local example=$1 target=$2
+    shift 2
     # One codegen unit: otherwise what is inlined, and so what is counted, depends on how the compiler cuts up the crate.
-    cargo_for "$2" build --config profile.release.codegen-units=1 \
-        --features _firmware --example "$1" --message-format json-render-diagnostics |
+    cargo_for "$target" rustc --config profile.release.codegen-units=1 \
+        --features _firmware --example "$example" --message-format json-render-diagnostics "$@" |
         sed -n 's/.*"executable":"\([^"]*\)".*/\1/p' | tail -n 1
 }
 
@@ -102,11 +105,14 @@ build_everything() {
     for target in thumbv6m-none-eabi thumbv7m-none-eabi thumbv7em-none-eabi riscv32imac-unknown-none-elf; do
         echo "run.sh: the library for $target" >&2
         cargo_for "$target" build --lib
+        cargo_for "$target" build --lib --features embedded-graphics
     done
     build_oled >/dev/null
     build_cycles >/dev/null
     echo "run.sh: linking no_panic, which fails if the library has a panic path" >&2
-    build_firmware no_panic thumbv7m-none-eabi >/dev/null
+    # Every shape with every blending is more than the board has room for, and need not run.
+    build_firmware no_panic thumbv7m-none-eabi --features embedded-graphics \
+        -- -C link-arg=--defsym=_flash_length=4M >/dev/null
 }
 
 build_oled() {

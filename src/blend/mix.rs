@@ -68,6 +68,9 @@ fn mix_two(top: u32, bottom: u32, alpha: u8, mask: u32) -> u32 {
 /// Three channels of so many bits each, from the lowest up, mixed: the outer two together.
 #[inline(always)]
 fn mix_three<const LOW: u32, const MIDDLE: u32, const HIGH: u32>(top: u32, bottom: u32, alpha: u8) -> u32 {
+    if cfg!(target_pointer_width = "64") {
+        return mix_three_at_once::<LOW, MIDDLE, HIGH>(top.into(), bottom.into(), alpha);
+    }
     // From where the high channel lies to its lane.
     let shift = 16 - (LOW + MIDDLE);
     let (low, middle, high) = ((1 << LOW) - 1, (1 << MIDDLE) - 1, ((1 << HIGH) - 1) << 16);
@@ -80,6 +83,24 @@ fn mix_three<const LOW: u32, const MIDDLE: u32, const HIGH: u32>(top: u32, botto
     // What is left above a narrow colour's 16 bits is not stored.
     let joined = if narrow { outer | (outer >> shift) } else { (outer & low) | ((outer & high) >> shift) };
     joined | (mix_one((top >> LOW) & middle, (bottom >> LOW) & middle, alpha) << LOW)
+}
+
+/// The same three in the lanes of a word of 64 bits: a third fewer instructions where there are such words.
+#[inline(always)]
+fn mix_three_at_once<const LOW: u32, const MIDDLE: u32, const HIGH: u32>(top: u64, bottom: u64, alpha: u8) -> u32 {
+    const HALVES: u64 = (128 << 32) | (128 << 16) | 128;
+    // From where the upper channels lie to their lanes.
+    let (to_middle, to_high) = (16 - LOW, 32 - (LOW + MIDDLE));
+    let (low, middle, high) = ((1 << LOW) - 1, ((1 << MIDDLE) - 1) << 16, ((1 << HIGH) - 1) << 32);
+    let spread = |raw: u64| (raw & low) | ((raw << to_middle) & middle) | ((raw << to_high) & high);
+    let alpha = u64::from(alpha);
+    let biased = spread(top) * alpha + spread(bottom) * (255 - alpha) + HALVES;
+    let mask = low | middle | high;
+    let mixed = ((biased + ((biased >> 8) & mask)) >> 8) & mask;
+    let joined = (mixed & low) | ((mixed & middle) >> to_middle) | ((mixed & high) >> to_high);
+    #[allow(clippy::cast_possible_truncation, reason = "24 bits at most")]
+    let joined = joined as u32;
+    joined
 }
 
 macro_rules! impl_mix {

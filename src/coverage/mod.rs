@@ -1,7 +1,10 @@
 //! How much of each pixel a shape covers, and where that goes.
 
+mod beyond;
 mod cells;
 mod chain;
+mod circle_chords;
+mod circle_rows;
 mod convex;
 mod ramp;
 mod runs;
@@ -9,11 +12,13 @@ mod samples;
 mod slope;
 mod straight;
 
+pub(crate) use beyond::send_within_range;
 pub use cells::Cell;
 pub(crate) use cells::Cells;
-pub(crate) use chain::{Chain, WideChain};
+pub(crate) use chain::WideChain;
+pub(crate) use circle_rows::NearCircle;
 pub(crate) use convex::{Side, send};
-pub(crate) use ramp::{FULL, Ramp, column_of, height_of};
+pub(crate) use ramp::{FULL, Ramp, column_of, height_in, height_of};
 pub(crate) use runs::{Crossings, Runs};
 pub(crate) use samples::Supersampler;
 pub use samples::{SampleCell, Samples};

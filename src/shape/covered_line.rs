@@ -1,7 +1,8 @@
 //! Anti-aliased thin line: the rectangle of width 1 around it.
 //!
-//! Its corners lie half a pixel to either side of the ends, which no coordinate can say exactly. They are rounded to 2^-16
-//! pixel, and the edges have the line's own slope or are square to it, so no pixel's area is off by more than 2^-15.
+//! Its corners lie half a pixel to either side of the ends, which no coordinate can say exactly. In the narrow zone they are
+//! rounded to 2^-16 pixel, and the edges have the line's own slope or are square to it, so no pixel's area is off by more
+//! than 2^-15. Beyond it, see `wide_line`.
 //!
 //! ```text
 //!          top
@@ -17,10 +18,13 @@ use core::ops::Range;
 
 use crate::{
     PixelRect, Vertex,
-    coverage::{Chain, CoverageSink, Slope, WideChain, send},
+    coverage::{CoverageSink, Straight, StraightSide, send_straight},
     geometry::{by_height, is_narrow},
     limits::{HALF, SUBPIXEL_BITS},
-    shape::{Cover, Line},
+    shape::{
+        Cover, Line,
+        wide_line::{self, pixels_between},
+    },
     span::clip_range,
 };
 
@@ -38,12 +42,7 @@ impl Cover for Line {
             return PixelRect { rows: 0..0, columns: 0..0 };
         }
         let pixels = |a: i32, b: i32| {
-            let pixel = |position: i64| {
-                #[allow(clippy::cast_possible_truncation, reason = "half a pixel beyond a coordinate")]
-                let pixel = (position >> SUBPIXEL_BITS) as i32;
-                pixel
-            };
-            pixel(i64::from(a.min(b)) - i64::from(HALF))..pixel(i64::from(a.max(b)) + i64::from(HALF) - 1) + 1
+            pixels_between(i64::from(a.min(b)) - i64::from(HALF), i64::from(a.max(b)) + i64::from(HALF))
         };
         PixelRect {
             rows: pixels(start.y.to_bits(), end.y.to_bits()),
@@ -59,18 +58,13 @@ impl Cover for Line {
             return Ok(());
         }
         let (upper, lower) = by_height(self.start, self.end);
-        let rectangle = Rectangle::around(upper, lower);
-        let rows = clip_range(&rectangle.rows(), &rows);
         if is_narrow(upper) && is_narrow(lower) {
-            let [mut left, mut right] = rectangle.chains();
-            left.skip_to(rows.start);
-            right.skip_to(rows.start);
-            send(left, right, rows, &columns, sink)
+            let rectangle = Rectangle::around(upper, lower);
+            let rows = clip_range(&rectangle.rows(), &rows);
+            let [left, right] = rectangle.sides();
+            send_straight(left, right, rows, &columns, sink)
         } else {
-            let [mut left, mut right] = rectangle.wide_chains();
-            left.skip_to(rows.start);
-            right.skip_to(rows.start);
-            send(left, right, rows, &columns, sink)
+            wide_line::send_rows(upper, lower, &rows, &columns, sink)
         }
     }
 }
@@ -129,47 +123,26 @@ impl Rectangle {
     }
 
     /// For corners in the narrow zone, or not far from it.
-    fn chains(&self) -> [Chain<CORNER_BITS>; 2] {
+    fn sides(&self) -> [StraightSide<CORNER_BITS>; 2] {
         #[allow(clippy::cast_possible_truncation, reason = "at most 2^29 + 2^15")]
         let y = |corner: Corner| corner.1 as i32;
+        let end = |corner: Corner| (corner.0 << (32 - CORNER_BITS), y(corner));
         #[allow(clippy::cast_possible_truncation, reason = "at most 2^22")]
         let (dx, dy) = (self.dx as i32, self.dy as i32);
-        let edge = |from: Corner, dx: i32, dy: i32, to: Corner| {
-            (Slope::directed(from.0 << (32 - FINER), dx, dy.unsigned_abs()), y(to))
-        };
+        let edge =
+            |from: Corner, (dx, dy): (i32, i32), to: Corner| Straight::new(end(from), end(to), dx, dy.unsigned_abs());
         let Self { top, left, right, bottom, .. } = *self;
         // Along the line, and square to it.
         let (long, square) = ((dx, dy), (if dx >= 0 { -dy } else { dy }, dx));
         let (to_left, to_right) = if dx >= 0 { (square, long) } else { (long, square) };
-        let chain = |via: Corner, (dx, dy): (i32, i32), (then_dx, then_dy): (i32, i32)| {
-            let then = (y(via) < y(bottom)).then(|| edge(via, then_dx, then_dy, bottom));
-            match then {
-                Some(then) if y(via) <= y(top) => Chain::new(y(top), then, None),
-                then => Chain::new(y(top), edge(top, dx, dy, via), then),
+        let side = |via: Corner, direction: (i32, i32), then: (i32, i32)| {
+            let lower = (y(via) < y(bottom)).then(|| edge(via, then, bottom));
+            match lower {
+                Some(edge) if y(via) <= y(top) => StraightSide { edge, next: None },
+                next => StraightSide { edge: edge(top, direction, via), next },
             }
         };
-        [chain(left, to_left, to_right), chain(right, to_right, to_left)]
-    }
-
-    /// For corners anywhere, rounded to coordinates.
-    fn wide_chains(&self) -> [WideChain; 2] {
-        let vertex = |(x, y): Corner| {
-            let rounded = |value: i64| {
-                let rounded = (value + (1 << (FINER - 1))) >> FINER;
-                #[allow(clippy::cast_possible_truncation, reason = "clamped")]
-                let rounded = rounded.clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32;
-                rounded
-            };
-            Vertex::from_bits(rounded(x), rounded(y))
-        };
-        let [top, left, right, bottom] = [self.top, self.left, self.right, self.bottom].map(vertex);
-        [left, right].map(|via| {
-            if via.y <= top.y {
-                WideChain::new((via, bottom), None)
-            } else {
-                WideChain::new((top, via), Some((via, bottom)))
-            }
-        })
+        [side(left, to_left, to_right), side(right, to_right, to_left)]
     }
 }
 

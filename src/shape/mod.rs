@@ -17,6 +17,8 @@ mod supersampled_polygon;
 mod table;
 mod triangle;
 mod waiting;
+mod wide_circle;
+mod wide_line;
 
 pub use active::{ActiveEdge, ActiveEdges, CoverageEdge};
 pub use circle::Circle;

@@ -9,6 +9,7 @@ mod embedded_graphics;
 pub(crate) mod outline;
 mod spanfill;
 mod spanfill_aa;
+mod spanfill_samples;
 mod tiny_skia;
 mod tiny_skia_aa;
 mod vello_cpu;
@@ -17,6 +18,7 @@ mod zeno;
 use std::convert::Infallible;
 
 use ::embedded_graphics::{pixelcolor::Rgb565, prelude::*};
+use ::spanfill::Samples;
 
 use crate::{
     drawing::Drawing,
@@ -37,6 +39,9 @@ pub(crate) fn drawing(scene: Scene, variant: Variant) -> Option<Box<dyn Drawing>
         Variant::AntiAliasedOver => Some(spanfill_aa::drawing_over(scene)),
         Variant::Mask => Some(spanfill_aa::mask(scene)),
         Variant::BlendFloor => Some(spanfill_aa::blend_floor(scene)),
+        Variant::Samples4 | Variant::SamplesWeighted | Variant::Samples16 => {
+            spanfill_samples::drawing(scene, samples(variant)?)
+        }
         Variant::TinySkiaAntiAliased => Some(tiny_skia_aa::drawing(scene)),
         Variant::Vello => Some(vello_cpu::drawing(scene)),
         Variant::VelloAlone => Some(vello_cpu::drawing_alone(scene)),
@@ -45,21 +50,33 @@ pub(crate) fn drawing(scene: Scene, variant: Variant) -> Option<Box<dyn Drawing>
     }
 }
 
+/// The points of each pixel that the variant looks at, of those that do.
+fn samples(variant: Variant) -> Option<Samples> {
+    match variant {
+        Variant::Samples4 => Some(Samples::grid(4)),
+        Variant::SamplesWeighted => Some(Samples::WEIGHTED),
+        Variant::Samples16 => Some(Samples::grid(16)),
+        _ => None,
+    }
+}
+
 /// What the variant's accuracy is judged by: itself, or, where the picture has too few bits, the mask that it blends.
 pub(crate) fn judged(scene: Scene, variant: Variant) -> Option<Box<dyn Drawing>> {
+    blended_mask(scene, variant).or_else(|| drawing(scene, variant))
+}
+
+fn blended_mask(scene: Scene, variant: Variant) -> Option<Box<dyn Drawing>> {
     match variant {
-        Variant::AntiAliased | Variant::AntiAliasedOver | Variant::BlendFloor => drawing(scene, Variant::Mask),
-        _ => drawing(scene, variant),
+        Variant::AntiAliased | Variant::AntiAliasedOver | Variant::BlendFloor => Some(spanfill_aa::mask(scene)),
+        _ => spanfill_samples::mask(scene, samples(variant)?),
     }
 }
 
 /// Fails unless the variant's frames show the mask that its accuracy is judged by.
 pub(crate) fn check_frames(scene: Scene, variant: Variant, shapes: usize) -> Result<(), String> {
-    if !matches!(variant, Variant::AntiAliased | Variant::AntiAliasedOver | Variant::BlendFloor) {
-        return Ok(());
-    }
-    let mut frames = drawing(scene, variant).expect("spanfill draws every scene");
-    match spanfill_aa::disagreement(scene, &mut *frames, shapes) {
+    let Some(mut mask) = blended_mask(scene, variant) else { return Ok(()) };
+    let mut frames = drawing(scene, variant).expect("it has a mask of the scene");
+    match spanfill_aa::disagreement(&mut *mask, &mut *frames, shapes) {
         None => Ok(()),
         Some((shape, pixel)) => Err(format!("{variant}: shape {shape} is not its mask, blended, at {pixel:?}")),
     }

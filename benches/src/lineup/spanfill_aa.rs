@@ -4,8 +4,8 @@ use std::{convert::Infallible, ops::Range};
 
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 use spanfill::{
-    AntiAlias, Cell, Circle, Cover, CoverageEdge, CoverageSink, Line, Mix, Over, PixelRect, Polygon, ReadBack, Span,
-    Triangle, Vertex,
+    AntiAlias, Cell, Circle, Cover, CoverageEdge, CoverageSink, Line, Mix, Over, PixelRect, Polygon, ReadBack,
+    SampleCell, SampleEdge, Span, Triangle, Vertex,
 };
 
 use crate::{
@@ -41,28 +41,35 @@ pub(super) fn blend_floor(scene: Scene) -> Box<dyn Drawing> {
 }
 
 /// Coordinates, and the coverage that they become.
-trait Figure: 'static {
+pub(super) trait Figure: 'static {
     fn cover<V: CoverVisitor>(&self, scratch: &mut Scratch, visitor: V);
 }
 
 /// What to do with a coverage, whatever its type.
-trait CoverVisitor {
+pub(super) trait CoverVisitor {
     fn visit(self, cover: impl Cover);
 }
 
 /// The caller's, kept from one drawing to the next: enough for any outline here, in one pass over all the columns.
-struct Scratch {
+pub(super) struct Scratch {
     edges: [CoverageEdge; 64],
     cells: [Cell; FRAME_WIDTH as usize],
+    pub(super) sample_edges: [SampleEdge; 64],
+    pub(super) sample_cells: [SampleCell; FRAME_WIDTH as usize],
 }
 
 impl Scratch {
     const fn new() -> Self {
-        Self { edges: [CoverageEdge::EMPTY; 64], cells: [Cell::EMPTY; FRAME_WIDTH as usize] }
+        Self {
+            edges: [CoverageEdge::EMPTY; 64],
+            cells: [Cell::EMPTY; FRAME_WIDTH as usize],
+            sample_edges: [SampleEdge::EMPTY; 64],
+            sample_cells: [SampleCell::EMPTY; FRAME_WIDTH as usize],
+        }
     }
 }
 
-struct TriangleFigure([PixelPoint; 3]);
+pub(super) struct TriangleFigure(pub(super) [PixelPoint; 3]);
 
 impl Figure for TriangleFigure {
     #[inline]
@@ -72,9 +79,9 @@ impl Figure for TriangleFigure {
     }
 }
 
-struct CircleFigure {
-    centre: PixelPoint,
-    radius_px: i32,
+pub(super) struct CircleFigure {
+    pub(super) centre: PixelPoint,
+    pub(super) radius_px: i32,
 }
 
 impl Figure for CircleFigure {
@@ -95,7 +102,7 @@ impl Figure for LineFigure {
     }
 }
 
-struct OutlineFigure<const N: usize>([SubpixelPoint; N]);
+pub(super) struct OutlineFigure<const N: usize>(pub(super) [SubpixelPoint; N]);
 
 impl<const N: usize> Figure for OutlineFigure<N> {
     #[inline]
@@ -107,7 +114,7 @@ impl<const N: usize> Figure for OutlineFigure<N> {
 }
 
 /// What to do with a scene's figures, whatever their type.
-trait FigureVisitor {
+pub(super) trait FigureVisitor {
     fn visit<F: Figure>(self, figures: Vec<F>) -> Box<dyn Drawing>;
 }
 
@@ -123,7 +130,7 @@ fn with_figures(scene: Scene, visitor: impl FigureVisitor) -> Box<dyn Drawing> {
     }
 }
 
-struct OverFrame;
+pub(super) struct OverFrame;
 
 impl FigureVisitor for OverFrame {
     fn visit<F: Figure>(self, figures: Vec<F>) -> Box<dyn Drawing> {
@@ -163,7 +170,7 @@ impl FigureVisitor for OverBackground {
     }
 }
 
-struct IntoMask;
+pub(super) struct IntoMask;
 
 impl FigureVisitor for IntoMask {
     fn visit<F: Figure>(self, figures: Vec<F>) -> Box<dyn Drawing> {
@@ -286,10 +293,9 @@ impl Cover for Replayed<'_> {
     }
 }
 
-/// Whether the drawings of the scene on a frame show its mask, in the colour, over the background: the pixel that is
-/// the first not to be so.
-pub(crate) fn disagreement(scene: Scene, frames: &mut dyn Drawing, shapes: usize) -> Option<(usize, Point)> {
-    let mut mask = mask(scene);
+/// Whether the drawings of a scene on a frame show its mask, in the colour, over the background: the pixel that is the
+/// first not to be so.
+pub(super) fn disagreement(mask: &mut dyn Drawing, frames: &mut dyn Drawing, shapes: usize) -> Option<(usize, Point)> {
     let mut coverage: Box<Coverage> = no_coverage();
     (0..shapes.min(mask.shapes())).find_map(|shape| {
         mask.draw_alone(shape).read(&mut coverage);

@@ -1,0 +1,168 @@
+//! The edges of a side, from their upper ends down.
+
+use core::ops::RangeInclusive;
+
+use crate::coverage::{
+    ramp::{Ramp, height_in},
+    slope::{Slope, Steepness, high_word},
+};
+
+/// An edge that goes down; heights in 2^-`BITS` pixel.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Straight<const BITS: u32> {
+    /// Where it is at `y`.
+    pub(super) position: i64,
+    /// To the next row.
+    pub(super) step: i64,
+    pub(super) y: i32,
+    /// Its lower end.
+    until: i32,
+    end: i64,
+    pub(super) rise: Rise,
+}
+
+/// How steep an edge is: see [`Steepness::shifts`].
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rise {
+    mantissa: u32,
+    up: u32,
+    down: u32,
+}
+
+impl Rise {
+    /// How far down for a width.
+    #[inline(always)]
+    pub(super) fn of(&self, across: u32) -> u32 {
+        high_word(across << self.up, self.mantissa) >> self.down
+    }
+
+    /// The same for a pixel, of an edge that crosses one within a row.
+    #[inline(always)]
+    pub(super) fn of_a_pixel(&self) -> u32 {
+        self.mantissa >> self.down
+    }
+
+    /// The areas of an edge that crosses `columns`, from so far into the first to so far into the last.
+    #[inline(always)]
+    pub(super) fn ramp(&self, columns: RangeInclusive<i32>, left: u32, right: u32, height: u32) -> Ramp {
+        let (first, last) = (*columns.start(), *columns.end());
+        if first == last {
+            return Ramp::in_column(first, height, height - high_word(height, (left >> 1) + (right >> 1)));
+        }
+        let down = self.of(!left).min(height);
+        let (rest, step) =
+            if first + 1 == last { (height - down, 0) } else { (self.of(right).min(height), self.of_a_pixel()) };
+        Ramp {
+            first,
+            last,
+            height,
+            first_area: high_word(!left, down) >> 1,
+            last_area: height - (high_word(right, rest) >> 1),
+            second_area: down + (step >> 1),
+            step,
+            steepness: Steepness::NONE,
+        }
+    }
+}
+
+impl<const BITS: u32> Straight<BITS> {
+    /// From one position and height to another, in the direction (dx, dy), both at most 2^22.
+    #[inline(always)]
+    pub(crate) fn new(from: (i64, i32), to: (i64, i32), dx: i32, dy: u32) -> Self {
+        let slope = Slope::directed(0, dx, dy);
+        let (mantissa, up, down) = slope.steepness.shifts();
+        let rise = Rise { mantissa, up, down };
+        Self { position: from.0, step: slope.step(), y: from.1, until: to.1, end: to.0, rise }
+    }
+
+    /// From here to a position below.
+    #[inline(always)]
+    pub(super) fn ramp(&self, to: i64, height: u32) -> Ramp {
+        // Compared, as corners of lines are rounded, and may be on the other side of a steep one.
+        let (from, to) = (self.position.min(to), self.position.max(to));
+        self.rise.ramp(upper(from)..=upper(to), lower(from), lower(to), height)
+    }
+
+    #[inline(always)]
+    pub(super) fn at(&self, y: i32) -> i64 {
+        if y == self.until { self.end } else { self.position + ((self.step * i64::from(y - self.y)) >> BITS) }
+    }
+
+    /// Takes it to a height on its way that is the top of a row.
+    #[inline(always)]
+    pub(super) fn skip_to(&mut self, y: i32) {
+        let boundary = (self.y + (1 << BITS) - 1) >> BITS << BITS;
+        let rows = (y - boundary) >> BITS;
+        self.position = self.at(boundary) + self.step * i64::from(rows);
+        self.y = y;
+    }
+}
+
+/// One side: an edge, and perhaps another below.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Side<const BITS: u32> {
+    pub(crate) edge: Straight<BITS>,
+    pub(crate) next: Option<Straight<BITS>>,
+}
+
+impl<const BITS: u32> Side<BITS> {
+    /// Takes it to the top of a row, unless it starts farther down.
+    #[inline(always)]
+    pub(super) fn skip_to(&mut self, row: i32) {
+        let y = row << BITS;
+        if y >= self.edge.until {
+            self.turn();
+        }
+        if y > self.edge.y && y < self.edge.until {
+            self.edge.skip_to(y);
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn turn(&mut self) {
+        if let Some(next) = self.next.take() {
+            self.edge = next;
+        }
+    }
+
+    /// How many rows from `row` on its edge crosses from top to bottom.
+    #[inline(always)]
+    pub(super) fn whole_rows(&self, row: i32) -> i32 {
+        if self.edge.y == row << BITS { (self.edge.until >> BITS) - row } else { 0 }
+    }
+
+    /// What it has of `row`, one or two pieces, of which the second may be nothing. The side is taken to the next row.
+    #[inline(always)]
+    pub(super) fn pieces(&mut self, row: i32, mut piece: impl FnMut(Ramp)) {
+        let bottom = (row + 1) << BITS;
+        loop {
+            let edge = &mut self.edge;
+            let y = bottom.min(edge.until);
+            if y > edge.y {
+                let to = edge.at(y);
+                let height = height_in::<BITS>(y - edge.y);
+                piece(edge.ramp(to, height));
+                (edge.position, edge.y) = (to, y);
+            }
+            if y < edge.until || self.next.is_none() {
+                return;
+            }
+            self.turn();
+        }
+    }
+}
+
+#[inline(always)]
+pub(super) fn upper(position: i64) -> i32 {
+    #[allow(clippy::cast_possible_truncation, reason = "the upper half")]
+    let upper = (position >> 32) as i32;
+    upper
+}
+
+#[inline(always)]
+pub(super) fn lower(position: i64) -> u32 {
+    #[allow(clippy::cast_possible_truncation, reason = "the lower half")]
+    #[allow(clippy::cast_sign_loss, reason = "bits")]
+    let lower = position as u32;
+    lower
+}

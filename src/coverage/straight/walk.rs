@@ -1,0 +1,65 @@
+//! From row to row: whole ones together, those with an end or a turn one by one.
+
+use core::ops::Range;
+
+use heapless::Vec;
+
+use crate::coverage::{
+    CoverageSink,
+    runs::Runs,
+    straight::{
+        few::{Changes, NEAR, send_ramps},
+        rows::send_rows,
+        side::Side,
+    },
+};
+
+/// Sends what lies between two sides.
+#[inline(always)]
+pub(crate) fn send_straight<const BITS: u32, S: CoverageSink>(
+    mut left: Side<BITS>,
+    mut right: Side<BITS>,
+    mut rows: Range<i32>,
+    columns: &Range<i32>,
+    sink: &mut S,
+) -> Result<(), S::Error> {
+    left.skip_to(rows.start);
+    right.skip_to(rows.start);
+    let mut runs = Runs::new(sink);
+    let mut changes = [0; NEAR as usize + 1];
+    while rows.start < rows.end {
+        let whole = left.whole_rows(rows.start).min(right.whole_rows(rows.start)).min(rows.end - rows.start);
+        if whole > 0 {
+            send_rows(
+                &mut left.edge,
+                &mut right.edge,
+                rows.start..rows.start + whole,
+                columns,
+                &mut changes,
+                &mut runs,
+            )?;
+            rows.start += whole;
+        } else {
+            send_pieces(&mut left, &mut right, rows.start, columns, &mut changes, &mut runs)?;
+            rows.start += 1;
+        }
+    }
+    Ok(())
+}
+
+/// A row in which a side begins, ends or turns.
+#[inline(never)]
+fn send_pieces<const BITS: u32, S: CoverageSink>(
+    left: &mut Side<BITS>,
+    right: &mut Side<BITS>,
+    row: i32,
+    columns: &Range<i32>,
+    changes: &mut Changes,
+    runs: &mut Runs<'_, S>,
+) -> Result<(), S::Error> {
+    // Two a side; there are never more.
+    let mut ramps = Vec::<_, 4>::new();
+    left.pieces(row, |ramp| ramps.push((ramp, 1)).unwrap_or_default());
+    right.pieces(row, |ramp| ramps.push((ramp, u32::MAX)).unwrap_or_default());
+    send_ramps(row, &ramps, columns, changes, runs)
+}
