@@ -1,18 +1,21 @@
 //! Exact fixed-point fill of triangles, lines, circles and polygons on any embedded-graphics
-//! [`DrawTarget`](embedded_graphics_core::draw_target::DrawTarget): `no_std`, without allocation, without `unsafe`.
+//! [`DrawTarget`](embedded_graphics_core::draw_target::DrawTarget), with or without anti-aliasing: `no_std`, without
+//! allocation, without `unsafe`.
 //!
 //! The pixels of a shape are those whose centres it covers, exactly, for vertices in 1/256 pixel and for every
 //! coordinate there is. They are the same on every machine, in every clip, whatever the order of the vertices.
 //!
 //! ```text
 //! Shape -clip-> Edge -one step a row-> Span, or a block of equal rows -> colour -> DrawTarget::fill_solid
+//! Cover -clip-> edges and cells -a row of pixels-> Span, run of coverage -> Blend -> fill_solid, fill_contiguous
 //!
 //! limits · subpixel · geometry · turn · edge · span, error · coverage · shape, blend · draw · eg
 //! ```
 //!
 //! A module uses only what stands to its left. Shapes know no colours and no targets: they push [`Span`]s or blocks
 //! into a sink ([`SpanSink`], [`BlockSink`]), cut to a clip, rows downwards, each pixel once. They meet colours and
-//! targets in [`Filled`].
+//! targets in [`Filled`]. Anti-aliased, they push how much of each pixel they cover into a [`CoverageSink`], and meet
+//! colours and targets in [`AntiAliased`], by a [`Blend`].
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::BinaryColor, prelude::*};
@@ -46,6 +49,37 @@
 //! - A circle covers the centres that are nearer to its own than its radius.
 //! - A thin line has one pixel for each step of its longer axis: the one that it crosses the middle of that step in.
 //! - `Vertex::from(Point)` is the centre of the pixel that the point names.
+//!
+//! # Anti-aliasing
+//!
+//! A pixel's coverage is the exact area of the shape within it, rounded once to 255ths, by the fill rule where contours
+//! overlap. Shapes that share an edge share the area of each pixel. A line covers the rectangle of width 1 around it, and
+//! a circle may be off by 1/255 more. What that makes of a colour is up to the [`Blend`]: [`Over`] a known background,
+//! [`ReadBack`] of what a framebuffer shows, [`Dither`] for few colours, [`Linear`] to mix as light adds up.
+//!
+//! ```
+//! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray4, prelude::*};
+//! use spanfill::{Over, Triangle, Vertex, prelude::*};
+//!
+//! let mut display = MockDisplay::new();
+//! let triangle = Triangle::new(Vertex::new(0, 0), Vertex::new(10, 3), Vertex::new(2, 6));
+//! triangle.antialiased(Gray4::WHITE, Over(Gray4::BLACK)).draw(&mut display)?;
+//! display.assert_pattern(&[
+//!     "A840      ",
+//!     "8FFEA51   ",
+//!     "3FFFFFFB72",
+//!     " DFFFFFE83",
+//!     " 8FFFA50  ",
+//!     " 3C71     ",
+//! ]);
+//! # Ok::<(), core::convert::Infallible>(())
+//! ```
+//!
+//! # embedded-graphics' own primitives
+//!
+//! With the feature `embedded-graphics`, `spanfill::eg::Style` takes the place of `PrimitiveStyle`.
+//!
+//! # Off the screen
 //!
 //! Nothing off the screen is ever sent, or costs more than finding out that it is; nothing is an error but too little
 //! scratch for a polygon, which is found before anything is drawn.

@@ -66,7 +66,7 @@ fn random_triangles() {
 
 #[test]
 fn random_lines_near_the_origin() {
-    compare("near lines", 211, 10_000, 2, EXACT, |rng| near(rng, random::line, line_is_near));
+    compare("near lines", 211, 6_000, 2, EXACT, |rng| near(rng, random::line, line_is_near));
 }
 
 #[test]
@@ -76,7 +76,7 @@ fn random_lines_anywhere() {
 
 #[test]
 fn random_circles_near_the_origin() {
-    compare("near circles", 212, 10_000, 2, CIRCLES, |rng| near(rng, random::circle, circle_is_near));
+    compare("near circles", 212, 6_000, 2, CIRCLES, |rng| near(rng, random::circle, circle_is_near));
 }
 
 #[test]

@@ -45,7 +45,7 @@ const WIDTH: i32 = 900;
 const HEIGHT: i32 = 520;
 const LEFT: i32 = 80;
 const RIGHT: i32 = 40;
-const TOP: i32 = 92;
+const TOP: i32 = 100;
 const BOTTOM: i32 = 76;
 const RADIUS: i32 = 6;
 
@@ -138,15 +138,15 @@ fn text(size: i32, colour: RGBColor, horizontal: HPos) -> TextStyle<'static> {
 
 fn draw_head(canvas: &Canvas<'_>, scenes: usize) -> Drawn {
     let title = "What an anti-aliased shape costs, and its worst pixel";
-    canvas.draw(&Text::new(title, (20, 26), text(21, INK, HPos::Left)))?;
+    canvas.draw(&Text::new(title, (20, 26), text(23, INK, HPos::Left)))?;
     let mut x = 20 + RADIUS;
     for (name, ends) in [("blended into a picture", Ends::Picture), ("a mask, not yet blended", Ends::Mask)] {
         draw_mark(canvas, (x, 58), INK, ends)?;
-        canvas.draw(&Text::new(name, (x + 14, 58), text(15, INK, HPos::Left)))?;
+        canvas.draw(&Text::new(name, (x + 14, 57), text(16, INK, HPos::Left)))?;
         x += 220;
     }
     let note = format!("triangles, 64-gon: the mean of {scenes} scenes; best at the bottom left");
-    canvas.draw(&Text::new(note, (x, 58), text(13, PALE, HPos::Left)))?;
+    canvas.draw(&Text::new(note, (x, 58), text(15, PALE, HPos::Left)))?;
     Ok(())
 }
 
@@ -154,20 +154,20 @@ fn draw_grid(canvas: &Canvas<'_>, across: Axis, up: Axis, unit: Unit) -> Drawn {
     for value in across.grid() {
         let x = across.at(value);
         canvas.draw(&PathElement::new([(x, up.to), (x, up.from)], GRID))?;
-        canvas.draw(&Text::new(format!("{value}"), (x, up.from + 14), text(13, PALE, HPos::Center)))?;
+        canvas.draw(&Text::new(format!("{value}"), (x, up.from + 14), text(15, PALE, HPos::Center)))?;
     }
     for value in up.grid() {
         let y = up.at(value);
         canvas.draw(&PathElement::new([(across.from, y), (across.to, y)], GRID))?;
-        canvas.draw(&Text::new(format!("{value}"), (across.from - 8, y), text(13, PALE, HPos::Right)))?;
+        canvas.draw(&Text::new(format!("{value}"), (across.from - 8, y), text(15, PALE, HPos::Right)))?;
     }
     let name = match unit {
         Unit::Nanoseconds => "nanoseconds a shape (logarithmic)",
         Unit::Instructions => "instructions a shape (logarithmic)",
     };
-    canvas.draw(&Text::new(name, ((across.from + across.to) / 2, up.from + 40), text(14, INK, HPos::Center)))?;
+    canvas.draw(&Text::new(name, ((across.from + across.to) / 2, up.from + 40), text(16, INK, HPos::Center)))?;
     let name = "largest error of a pixel, in 255ths of the exact area (logarithmic)";
-    canvas.draw(&Text::new(name, (20, up.to - 12), text(13, PALE, HPos::Left)))?;
+    canvas.draw(&Text::new(name, (20, up.to - 12), text(15, PALE, HPos::Left)))?;
     Ok(())
 }
 
@@ -179,26 +179,79 @@ fn draw_mark(canvas: &Canvas<'_>, centre: (i32, i32), colour: RGBColor, ends: En
     Ok(())
 }
 
-/// Each name goes to the first side of its mark where it covers nothing.
+/// Each name goes to the first place around its mark where it covers nothing; a line leads to those that are farther.
 fn draw_marks(canvas: &Canvas<'_>, across: Axis, up: Axis, marks: &[Mark]) -> Drawn {
     let centre = |mark: &Mark| (across.at(mark.cost), up.at(mark.error));
-    let mut taken: Vec<Area> = marks.iter().map(|mark| Area::around(centre(mark), RADIUS, RADIUS)).collect();
+    let around_mark = |mark: &Mark| Area::around(centre(mark), RADIUS + 1, RADIUS + 1);
+    let mut taken: Vec<Area> = marks.iter().map(around_mark).collect();
+    let mut labels = Vec::new();
     for mark in marks {
-        let ((x, y), half_width) = (centre(mark), i32::try_from(mark.name.len()).unwrap_or(0) * 15 / 4);
-        let aside = RADIUS + 6 + half_width;
-        let above_and_below = [18, 34, 50, 66].into_iter().flat_map(|distance| [(x, y - distance), (x, y + distance)]);
-        let mut places = [(x + aside, y), (x - aside, y)].into_iter().chain(above_and_below);
-        let area = |place: (i32, i32)| Area::around(place, half_width, 8);
-        let fits = |place: &(i32, i32)| {
-            let area = area(*place);
-            area.right < WIDTH && area.bottom < up.from && taken.iter().all(|other| !area.overlaps(*other))
+        let (x, y) = centre(mark);
+        // In the widest of the usual fonts.
+        let half_width = i32::try_from(mark.name.len()).unwrap_or(0) * 7 / 2;
+        let area = |label: &Label| {
+            let (x, y) = label.at;
+            let centre = match label.starts {
+                HPos::Left => (x + half_width, y),
+                HPos::Center => (x, y),
+                HPos::Right => (x - half_width, y),
+            };
+            Area::around(centre, half_width, TEXT_HEIGHT / 2)
         };
-        let place = places.find(fits).unwrap_or((x + aside, y));
-        taken.push(area(place));
-        canvas.draw(&Text::new(mark.name, place, text(14, mark.colour, HPos::Center)))?;
-        draw_mark(canvas, (x, y), mark.colour, mark.ends)?;
+        let fits = |label: &Label| {
+            let area = area(label);
+            let is_inside =
+                area.left > across.from && area.right < across.to && area.top > up.to && area.bottom < up.from;
+            is_inside && taken.iter().all(|other| !area.overlaps(*other))
+        };
+        let label = Label::places((x, y)).find(fits).unwrap_or_else(|| Label::beside((x, y)));
+        taken.push(area(&label));
+        labels.push(label);
+    }
+    for (mark, label) in marks.iter().zip(&labels) {
+        if label.is_far {
+            canvas.draw(&PathElement::new([centre(mark), (label.at.0, label.at.1 + label.towards)], mark.colour))?;
+        }
+    }
+    for (mark, label) in marks.iter().zip(&labels) {
+        canvas.draw(&Text::new(mark.name, label.at, text(16, mark.colour, label.starts)))?;
+        draw_mark(canvas, centre(mark), mark.colour, mark.ends)?;
     }
     Ok(())
+}
+
+const TEXT_HEIGHT: i32 = 18;
+
+/// Where a mark's name may be.
+#[derive(Clone, Copy)]
+struct Label {
+    at: (i32, i32),
+    starts: HPos,
+    is_far: bool,
+    /// From the middle of its height to the side where the mark is.
+    towards: i32,
+}
+
+impl Label {
+    fn beside((x, y): (i32, i32)) -> Self {
+        Self { at: (x + RADIUS + 6, y), starts: HPos::Left, is_far: false, towards: 0 }
+    }
+
+    fn places((x, y): (i32, i32)) -> impl Iterator<Item = Self> {
+        let left = Self { at: (x - RADIUS - 6, y), starts: HPos::Right, is_far: false, towards: 0 };
+        let near = RADIUS + TEXT_HEIGHT / 2 + 2;
+        let aligned = move |starts, distance: i32| Self {
+            at: (x, y + distance),
+            starts,
+            is_far: distance.abs() > near,
+            towards: -distance.signum() * TEXT_HEIGHT / 2,
+        };
+        let above_and_below =
+            (0..5).map(move |step| near + step * TEXT_HEIGHT).flat_map(|distance| [-distance, distance]);
+        let rest = above_and_below
+            .flat_map(move |distance| [HPos::Center, HPos::Left, HPos::Right].map(|starts| aligned(starts, distance)));
+        [Self::beside((x, y)), left].into_iter().chain(rest)
+    }
 }
 
 #[derive(Debug, Clone, Copy)]

@@ -2,7 +2,7 @@
 
 use crate::{
     Vertex,
-    coverage::{Ramp, Steepness, convex::Side, ramp::height_in, slope::wide_position},
+    coverage::{Steepness, convex::Side, ramp::height_in, slope::wide_position},
     edge::Descent,
     limits::SUBPIXEL_BITS,
 };
@@ -30,14 +30,6 @@ impl WideChain {
 }
 
 impl Side for WideChain {
-    fn whole_rows(&self) -> i32 {
-        0
-    }
-
-    fn whole_row(&mut self) -> Ramp {
-        Ramp::between(0, 0, 0, Steepness::NONE)
-    }
-
     fn pieces(&mut self, row: i32, mut piece: impl FnMut(i64, i64, u32, Steepness)) {
         let bottom = row.saturating_add(1).saturating_mul(1 << SUBPIXEL_BITS);
         loop {

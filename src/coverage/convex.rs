@@ -1,15 +1,8 @@
-//! Convex shapes, row by row: a left and a right side, each one chain of edges downwards.
+//! Convex shapes of any size, row by row: a left and a right side, each a chain of pieces downwards.
 //!
-//! Most rows are crossed by one edge on either side, from top to bottom. Then there are no cells: where the two edges
-//! share no column, what the left one leaves of its pixels and what the right one takes of its own are sent as they are, and
-//! all between is inside.
-//!
-//! ```text
-//!        left          right
-//!     |   /#|###|###|###\   |
-//!     |  /##|###|###|####\  |        runs of one or two pixels, and a span
-//!     | /###|###|###|#####\ |
-//! ```
+//! The columns that either side crosses in a row are added up in cells, so many at a time, and what lies between the sides is
+//! sent as it is. A side is asked for its pieces once for each window of cells: this is for shapes that leave the narrow
+//! zone, or are very large; what is usually drawn has walkers of its own.
 
 use core::ops::Range;
 
@@ -17,19 +10,12 @@ use crate::{
     coverage::{
         Cell, Cells, CoverageSink, Ramp, Runs, Steepness,
         ramp::{column_of, coverage_of},
-        runs::Crossings,
     },
     span::clip_range,
 };
 
 /// A chain of edges, at the top of a row of pixels or at its own upper end.
 pub(crate) trait Side: Clone {
-    /// How many rows from here on its current edge crosses from top to bottom.
-    fn whole_rows(&self) -> i32;
-
-    /// The current edge in a whole row. It is taken to the next.
-    fn whole_row(&mut self) -> Ramp;
-
     /// The positions at the upper and at the lower end of each piece in `row`, the piece's height and steepness. The side is
     /// taken to the next row.
     fn pieces(&mut self, row: i32, piece: impl FnMut(i64, i64, u32, Steepness));
@@ -48,61 +34,7 @@ pub(crate) fn send<S: CoverageSink>(
     sink: &mut S,
 ) -> Result<(), S::Error> {
     let mut runs = Runs::new(sink);
-    while rows.start < rows.end {
-        let whole = left.whole_rows().min(right.whole_rows()).min(rows.end - rows.start);
-        for _ in 0..whole {
-            runs.start(rows.start);
-            send_between(&left.whole_row(), &right.whole_row(), columns, &mut runs)?;
-            rows.start += 1;
-        }
-        if rows.start < rows.end {
-            send_pieces(&mut left, &mut right, rows.start, columns, &mut runs)?;
-            rows.start += 1;
-        }
-    }
-    Ok(())
-}
-
-/// Sends a row between two edges that cross all of it.
-#[inline(always)]
-fn send_between<S: CoverageSink>(
-    left: &Ramp,
-    right: &Ramp,
-    columns: &Range<i32>,
-    runs: &mut Runs<'_, S>,
-) -> Result<(), S::Error> {
-    if left.last <= right.first && left.first >= columns.start && right.last < columns.end {
-        let mut crossings = Crossings::new();
-        crossings.edge(left, 1, runs)?;
-        crossings.edge(right, -1, runs)?;
-        crossings.finish(runs)
-    } else {
-        send_cut(left, right, columns, runs)
-    }
-}
-
-/// The same where the two share columns, or the clip cuts them.
-#[inline(never)]
-fn send_cut<S: CoverageSink>(
-    left: &Ramp,
-    right: &Ramp,
-    columns: &Range<i32>,
-    runs: &mut Runs<'_, S>,
-) -> Result<(), S::Error> {
-    let from = left.first.min(right.first).max(columns.start);
-    let end = (left.last.max(right.last) + 1).min(columns.end);
-    let inside = (left.last + 1).max(from)..right.first.min(end);
-    let mut column = from;
-    while column < end {
-        if column == inside.start && inside.start < inside.end {
-            runs.alike(inside.start, inside.end, 255)?;
-            column = inside.end;
-        } else {
-            runs.pixel(column, coverage_of(left.at(column).wrapping_sub(right.at(column))))?;
-            column += 1;
-        }
-    }
-    runs.finish()
+    rows.try_for_each(|row| send_pieces(&mut left, &mut right, row, columns, &mut runs))
 }
 
 /// The columns that a side's pieces in a row cross.

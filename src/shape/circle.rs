@@ -18,6 +18,9 @@ use crate::{
 /// Every centre and radius is legal; one of zero or less draws nothing. A pixel belongs to the circle when its centre
 /// is nearer to the circle's than the radius, exactly.
 ///
+/// [Anti-aliased](crate::AntiAlias::antialiased), a pixel is covered by the area of the circle within it: off by at most
+/// 1/255 before it is rounded to 255ths.
+///
 /// ```text
 ///     . # # # .
 ///     # # # # #        radius 2.5 around a pixel's centre:
@@ -41,6 +44,17 @@ use crate::{
 /// let mut display = MockDisplay::new();
 /// Circle::new(Point::new(2, 2), 2.5).filled(BinaryColor::On).draw(&mut display)?;
 /// display.assert_pattern(&[" ### ", "#####", "#####", "#####", " ### "]);
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
+///
+/// With anti-aliasing:
+///
+/// ```
+/// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+/// # use spanfill::{Over, Circle, prelude::*};
+/// # let circle = Circle::new(Point::new(2, 2), 2.5);
+/// # let mut display = MockDisplay::new();
+/// circle.antialiased(Gray8::WHITE, Over(Gray8::BLACK)).draw(&mut display)?;
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -118,32 +118,32 @@ impl<'a> Polygon<'a> {
         let mut y = rows.start;
         while y < rows.end {
             table.start(y);
-            let event = if table.is_idle() {
-                table.next_start().max(y + 1).min(rows.end)
-            } else {
-                table.next_event(y + 1, rows.end)
-            };
+            if table.is_idle() {
+                let next = table.next_start().max(y + 1).min(rows.end);
+                if next > y | (ONE - 1) {
+                    cells.sweep(pixel_holding(y), &mut runs)?;
+                }
+                y = next;
+                continue;
+            }
+            let event = table.next_event(y + 1, rows.end);
             let is_wide = table.active_mut().iter().any(|edge| edge.edge.is_wide());
             while y < event {
                 let row = pixel_holding(y);
                 let row_end = (y | (ONE - 1)).saturating_add(1);
                 let bottom = row_end.min(event);
                 let band = Band { y, height: bottom - y };
-                if is_wide {
-                    table.widen(y, bottom);
-                    band.add::<true>(table.active_mut(), self.fill_rule, &mut cells);
-                } else if band.height == ONE && send_row(row, table.active_mut(), self.fill_rule, &columns, &mut runs)?
-                {
-                    y = bottom;
-                    continue;
-                } else {
-                    band.add::<false>(table.active_mut(), self.fill_rule, &mut cells);
-                }
                 y = bottom;
-                if table.is_idle() {
-                    y = event;
+                let edges = table.active_mut();
+                if is_wide {
+                    table.widen(band);
+                    band.add::<true>(table.active_mut(), self.fill_rule, &mut cells);
+                } else if band.height < ONE || !send_row(row, edges, self.fill_rule, &columns, &mut runs)? {
+                    band.add::<false>(table.active_mut(), self.fill_rule, &mut cells);
+                } else {
+                    continue;
                 }
-                if y >= row_end {
+                if y == row_end {
                     cells.sweep(row, &mut runs)?;
                 }
             }
@@ -155,7 +155,9 @@ impl<'a> Polygon<'a> {
 
 impl Table<'_, '_, crate::coverage::Slope> {
     /// Brings edges that are not in the narrow zone up to date for a band.
-    fn widen(&mut self, y: i32, bottom: i32) {
+    fn widen(&mut self, band: Band) {
+        let Band { y, height } = band;
+        let bottom = y + height;
         let contours = self.contours();
         for slot in self.active_mut() {
             if slot.edge.is_wide() {

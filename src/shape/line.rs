@@ -28,6 +28,10 @@ use crate::{
 /// unless the line, extended to the centre of that column, has left it by then: to force it in would tear the line, as
 /// from (0, 0.95) with slope 1 the next pixel is (1, 2).
 ///
+/// [Anti-aliased](crate::AntiAlias::antialiased), it is the rectangle of width 1 around the segment, cut off square at its
+/// ends: a pixel is covered by the exact area of that within it, rounded once to 255ths. A line of no length covers
+/// nothing.
+///
 /// # Cost
 ///
 /// One division, or two where an end is cut off, then an addition and a subtraction for each run: as many as the line
@@ -42,6 +46,17 @@ use crate::{
 /// let mut display = MockDisplay::new();
 /// Line::new(Point::new(6, 2), Point::new(0, 0)).filled(BinaryColor::On).draw(&mut display)?;
 /// display.assert_pattern(&["##     ", "  ###  ", "     ##"]);
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
+///
+/// With anti-aliasing:
+///
+/// ```
+/// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+/// # use spanfill::{Over, Line, prelude::*};
+/// # let line = Line::new(Point::new(6, 2), Point::new(0, 0));
+/// # let mut display = MockDisplay::new();
+/// line.antialiased(Gray8::WHITE, Over(Gray8::BLACK)).draw(&mut display)?;
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -31,15 +31,22 @@ use crate::{
 /// caller ([`in_scratch`](Self::in_scratch)) or on the stack ([`with_capacity`](Self::with_capacity)). A constant
 /// outline says how much at compile time.
 ///
+/// Anti-aliased, it needs edges that cross the same row of 1/256 pixel, and cells to add up coverage in, from the caller
+/// ([`coverage_in`](Self::coverage_in)) or on the stack ([`coverage_with`](Self::coverage_with)). A pixel is covered by
+/// the exact area within it, by the fill rule where contours overlap. With fewer cells than the clip has columns, the
+/// polygon is drawn in vertical strips of as many columns, one after the other, and the coverage is the same.
+///
 /// # Errors
 ///
-/// Too little scratch is found before anything is drawn: [`TooManyEdges`] names what is needed.
+/// Too little scratch is found before anything is drawn: [`TooManyEdges`] names what is needed, as does
+/// [`TooLittleScratch`](crate::TooLittleScratch) where cells are lent.
 ///
 /// # Cost
 ///
 /// One division an edge, then an addition and a subtraction for each edge and visible row. A pass over the vertices at
 /// the start, and, when there is just scratch for the active edges, one for each row on which contours turn down; two
-/// slots for each of those save that. 32 bytes a slot.
+/// slots for each of those save that. 32 bytes a slot. Anti-aliased, four divisions an edge, 4 bytes a cell, and the
+/// whole once for each strip.
 ///
 /// # Examples
 ///
@@ -57,6 +64,26 @@ use crate::{
 /// let mut display = MockDisplay::new();
 /// ARROW.with_capacity::<{ ARROW.active_edges() }>()?.filled(BinaryColor::On).draw(&mut display)?;
 /// display.assert_pattern(&["#    ", " ### ", " ### ", "#    "]);
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+///
+/// The same with anti-aliasing, in strips of 64 columns:
+///
+/// ```
+/// # use embedded_graphics::prelude::*;
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray4};
+/// use spanfill::{Over, Polygon, Vertex, prelude::*};
+///
+/// # const ARROW: Polygon = Polygon::new(&[
+/// #     Vertex::from_bits(0, 0),
+/// #     Vertex::from_bits(5 * 256, 2 * 256),
+/// #     Vertex::from_bits(0, 4 * 256),
+/// #     Vertex::from_bits(2 * 256, 2 * 256),
+/// # ]);
+/// let mut display = MockDisplay::new();
+/// let arrow = ARROW.coverage_with::<{ ARROW.coverage_edges() }, 64>()?;
+/// arrow.antialiased(Gray4::WHITE, Over(Gray4::BLACK)).draw(&mut display)?;
+/// display.assert_pattern(&["@"]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -19,6 +19,9 @@ use crate::{
 /// when the triangle lies to its right, or, on a horizontal edge, below. Triangles that share an edge cover each pixel
 /// once.
 ///
+/// [Anti-aliased](crate::AntiAlias::antialiased), a pixel is covered by the exact area of the triangle within it, rounded
+/// once to 255ths.
+///
 /// ```text
 ///           a                   a
 ///   long -> |\ <- upper         .
@@ -44,6 +47,17 @@ use crate::{
 /// Triangle::new(Point::new(0, 0), Point::new(5, 3), Point::new(1, 5))
 ///     .filled(BinaryColor::On)
 ///     .draw(&mut display)?;
+/// # Ok::<(), core::convert::Infallible>(())
+/// ```
+///
+/// With anti-aliasing:
+///
+/// ```
+/// # use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+/// # use spanfill::{Over, Triangle, prelude::*};
+/// # let triangle = Triangle::new(Point::new(0, 0), Point::new(5, 3), Point::new(1, 5));
+/// # let mut display = MockDisplay::new();
+/// triangle.antialiased(Gray8::WHITE, Over(Gray8::BLACK)).draw(&mut display)?;
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -9,7 +9,7 @@ use core::ops::Range;
 
 use crate::{
     Vertex,
-    coverage::{CoverageSink, Ramp, Side, Steepness, height_of, send, send_within_range},
+    coverage::{CoverageSink, Side, Steepness, height_of, send, send_within_range},
     limits::ONE,
     shape::Circle,
 };
@@ -73,14 +73,6 @@ impl Arc {
 }
 
 impl Side for Arc {
-    fn whole_rows(&self) -> i32 {
-        0
-    }
-
-    fn whole_row(&mut self) -> Ramp {
-        Ramp::between(0, 0, 0, Steepness::NONE)
-    }
-
     fn pieces(&mut self, row: i32, mut piece: impl FnMut(i64, i64, u32, Steepness)) {
         let (y, radius) = (i64::from(self.center.y.to_bits()), i64::from(self.radius));
         let top = i64::from(row) * i64::from(ONE) - y;

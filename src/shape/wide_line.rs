@@ -16,7 +16,7 @@ use core::ops::Range;
 
 use crate::{
     Vertex,
-    coverage::{CoverageSink, Ramp, Side, Steepness, height_in, send, send_within_range},
+    coverage::{CoverageSink, Side, Steepness, height_in, send, send_within_range},
     limits::{ONE, SUBPIXEL_BITS},
     span::clip_range,
 };
@@ -113,14 +113,6 @@ impl Edge {
 struct WideSide([Edge; 2]);
 
 impl Side for WideSide {
-    fn whole_rows(&self) -> i32 {
-        0
-    }
-
-    fn whole_row(&mut self) -> Ramp {
-        Ramp::between(0, 0, 0, Steepness::NONE)
-    }
-
     fn pieces(&mut self, row: i32, mut piece: impl FnMut(i64, i64, u32, Steepness)) {
         let top = i64::from(row) << HEIGHT_BITS;
         let row = top..top + (1 << HEIGHT_BITS);
