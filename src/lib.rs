@@ -53,9 +53,10 @@
 //! # Anti-aliasing
 //!
 //! A pixel's coverage is the exact area of the shape within it, rounded once to 255ths, by the fill rule where contours
-//! overlap. Shapes that share an edge share the area of each pixel. A line covers the rectangle of width 1 around it, and
-//! a circle may be off by 1/255 more. What that makes of a colour is up to the [`Blend`]: [`Over`] a known background,
-//! [`ReadBack`] of what a framebuffer shows, [`Dither`] for few colours, [`Linear`] to mix as light adds up.
+//! overlap. Shapes that share an edge share the area of each pixel. A line covers the rectangle of width 1 around it,
+//! and a circle may be off by 1/255 before it is rounded. What that makes of a colour is up to the [`Blend`]: [`Over`]
+//! a known background, [`ReadBack`] of what a framebuffer shows, [`Dither`] for few colours, [`Linear`] to mix as light
+//! adds up.
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray4, prelude::*};

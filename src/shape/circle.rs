@@ -18,8 +18,8 @@ use crate::{
 /// Every centre and radius is legal; one of zero or less draws nothing. A pixel belongs to the circle when its centre
 /// is nearer to the circle's than the radius, exactly.
 ///
-/// [Anti-aliased](crate::AntiAlias::antialiased), a pixel is covered by the area of the circle within it: off by at most
-/// 1/255 before it is rounded to 255ths.
+/// [Anti-aliased](crate::AntiAlias::antialiased), a pixel is covered by the area of the circle within it: off by at
+/// most 1/255 before it is rounded to 255ths.
 ///
 /// ```text
 ///     . # # # .

@@ -28,8 +28,8 @@ use crate::{
 /// unless the line, extended to the centre of that column, has left it by then: to force it in would tear the line, as
 /// from (0, 0.95) with slope 1 the next pixel is (1, 2).
 ///
-/// [Anti-aliased](crate::AntiAlias::antialiased), it is the rectangle of width 1 around the segment, cut off square at its
-/// ends: a pixel is covered by the exact area of that within it, rounded once to 255ths. A line of no length covers
+/// [Anti-aliased](crate::AntiAlias::antialiased), it is the rectangle of width 1 around the segment, cut off square at
+/// its ends: a pixel is covered by the exact area of that within it, rounded once to 255ths. A line of no length covers
 /// nothing.
 ///
 /// # Cost

@@ -31,10 +31,11 @@ use crate::{
 /// caller ([`in_scratch`](Self::in_scratch)) or on the stack ([`with_capacity`](Self::with_capacity)). A constant
 /// outline says how much at compile time.
 ///
-/// Anti-aliased, it needs edges that cross the same row of 1/256 pixel, and cells to add up coverage in, from the caller
-/// ([`coverage_in`](Self::coverage_in)) or on the stack ([`coverage_with`](Self::coverage_with)). A pixel is covered by
-/// the exact area within it, by the fill rule where contours overlap. With fewer cells than the clip has columns, the
-/// polygon is drawn in vertical strips of as many columns, one after the other, and the coverage is the same.
+/// Anti-aliased, it needs edges that cross the same row of 1/256 pixel, and cells to add up coverage in, from the
+/// caller ([`coverage_in`](Self::coverage_in)) or on the stack ([`coverage_with`](Self::coverage_with)). A pixel is
+/// covered by the exact area within it, by the fill rule where contours overlap. With fewer cells than the clip has
+/// columns, the polygon is drawn in vertical strips of as many columns, one after the other, and the coverage is the
+/// same.
 ///
 /// # Errors
 ///
@@ -83,7 +84,7 @@ use crate::{
 /// let mut display = MockDisplay::new();
 /// let arrow = ARROW.coverage_with::<{ ARROW.coverage_edges() }, 64>()?;
 /// arrow.antialiased(Gray4::WHITE, Over(Gray4::BLACK)).draw(&mut display)?;
-/// display.assert_pattern(&["@"]);
+/// display.assert_pattern(&["561  ", " 7E93", " 7E93", "561  "]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

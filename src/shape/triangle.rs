@@ -19,8 +19,8 @@ use crate::{
 /// when the triangle lies to its right, or, on a horizontal edge, below. Triangles that share an edge cover each pixel
 /// once.
 ///
-/// [Anti-aliased](crate::AntiAlias::antialiased), a pixel is covered by the exact area of the triangle within it, rounded
-/// once to 255ths.
+/// [Anti-aliased](crate::AntiAlias::antialiased), a pixel is covered by the exact area of the triangle within it,
+/// rounded once to 255ths.
 ///
 /// ```text
 ///           a                   a
