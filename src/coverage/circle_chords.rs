@@ -219,5 +219,6 @@ fn root(square: u64) -> u32 {
     // 16 bits, and 16 more by the tangent there, which is at most 2^-16 of the last of the first too high.
     let root = top.isqrt();
     let rest = (top - root * root).min(2 * root - 1);
-    ((root << 16) + (rest << 15) / root) >> (more / 2)
+    // Never 0, but the compiler does not know, and would check.
+    ((root << 16) + (rest << 15) / root.max(1)) >> (more / 2)
 }

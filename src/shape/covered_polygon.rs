@@ -120,7 +120,8 @@ impl<'a> Polygon<'a> {
             table.start(y);
             if table.is_idle() {
                 let next = table.next_start().max(y + 1).min(rows.end);
-                if next > y | (ONE - 1) {
+                // The last row of all ends where coordinates do.
+                if next > y | (ONE - 1) || next == rows.end {
                     cells.sweep(pixel_holding(y), &mut runs)?;
                 }
                 y = next;

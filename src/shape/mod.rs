@@ -60,7 +60,7 @@ pub trait Shape {
 
 /// A shape that can tell how much of each pixel it covers.
 ///
-/// Pixels are those that a coordinate can name, columns and rows -8388608..=8388607; what lies beyond is not drawn.
+/// Pixels are those that a coordinate can name, columns and rows -8388608..=8388607; what lies beyond may be left out.
 ///
 /// ```text
 ///      .-'|      |         coverage is the area of the shape in the pixel, in 255ths:

@@ -6,7 +6,7 @@ use crate::{
     PixelRect, Vertex,
     coverage::{CoverageSink, SampleCell, Samples, Supersampler},
     error::TooLittleScratch,
-    limits::{HALF, ONE},
+    limits::{HALF, ONE, SUBPIXEL_BITS},
     shape::{Circle, Cover, Polygon, Shape, Triangle, supersampled_polygon::SampleEdge},
     span::{Span, SpanSink, clip_range},
     subpixel::first_centre_at_or_after_wide,
@@ -162,8 +162,21 @@ impl Sampled for Triangle {
 }
 
 impl Sampled for Circle {
+    /// Also beyond what coordinates can name, as without anti-aliasing.
     fn touched(&self) -> PixelRect {
-        Cover::touched(self)
+        let radius = i64::from(self.radius.to_bits());
+        let pixels = |center: i32| {
+            let pixel = |position: i64| {
+                #[allow(clippy::cast_possible_truncation, reason = "a sum of two coordinates, less eight bits")]
+                let pixel = (position >> SUBPIXEL_BITS) as i32;
+                pixel
+            };
+            pixel(i64::from(center) - radius)..pixel(i64::from(center) + radius) + 1
+        };
+        if radius <= 0 {
+            return PixelRect { rows: 0..0, columns: 0..0 };
+        }
+        PixelRect { rows: pixels(self.center.y.to_bits()), columns: pixels(self.center.x.to_bits()) }
     }
 
     fn sample<S: CoverageSink>(
