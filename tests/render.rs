@@ -432,7 +432,7 @@ fn samples_come_close_to_areas() {
     let mut state = 7_u64;
     let mut random = |most: u64| {
         state = state.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(0x1405_7b7e_f767_814f);
-        ((state >> 33) * most * 8 >> 31) as f64 / 8.0
+        (((state >> 33) * most * 8) >> 31) as f64 / 8.0
     };
     let mut errors = [Vec::new(), Vec::new(), Vec::new()];
     for _ in 0..12 {
