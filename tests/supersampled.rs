@@ -135,7 +135,8 @@ impl Cover for Supersampled<'_, Outline> {
 
 impl Cover for Supersampled<'_, Triangle> {
     fn touched(&self) -> PixelRect {
-        Cover::touched(self.shape)
+        let mut cells = [SampleCell::EMPTY; 1];
+        self.shape.supersampled_in(self.samples, &mut cells).expect("a cell").touched()
     }
 
     fn coverage<S: CoverageSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
@@ -146,7 +147,8 @@ impl Cover for Supersampled<'_, Triangle> {
 
 impl Cover for Supersampled<'_, Circle> {
     fn touched(&self) -> PixelRect {
-        Cover::touched(self.shape)
+        let mut cells = [SampleCell::EMPTY; 1];
+        self.shape.supersampled_in(self.samples, &mut cells).expect("a cell").touched()
     }
 
     fn coverage<S: CoverageSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {

@@ -21,8 +21,8 @@ const SPAN: i32 = 4;
 pub(crate) struct Runs<'s, S> {
     pub(super) sink: &'s mut S,
     row: i32,
-    /// The column after the open run.
-    end: i32,
+    /// Where the open run starts.
+    first: i32,
     length: usize,
     pub(super) coverage: [u8; RUN],
 }
@@ -30,7 +30,7 @@ pub(crate) struct Runs<'s, S> {
 impl<'s, S: CoverageSink> Runs<'s, S> {
     #[inline(always)]
     pub(crate) fn new(sink: &'s mut S) -> Self {
-        Self { sink, row: 0, end: 0, length: 0, coverage: [0; RUN] }
+        Self { sink, row: 0, first: 0, length: 0, coverage: [0; RUN] }
     }
 
     /// What follows is on `row`. The row before has been finished.
@@ -42,17 +42,17 @@ impl<'s, S: CoverageSink> Runs<'s, S> {
     /// The next column of the open run, or the first of the next.
     #[inline(always)]
     pub(crate) fn pixel(&mut self, column: i32, coverage: u8) -> Result<(), S::Error> {
-        if coverage == 0 || self.length == RUN {
-            self.finish()?;
+        if coverage == 0 {
+            return self.finish();
         }
-        if coverage != 0 {
-            if let Some(slot) = self.coverage.get_mut(self.length) {
-                *slot = coverage;
-            }
-            self.length += 1;
-            self.end = column + 1;
+        if self.length == 0 {
+            self.first = column;
         }
-        Ok(())
+        if let Some(slot) = self.coverage.get_mut(self.length) {
+            *slot = coverage;
+        }
+        self.length += 1;
+        if self.length < RUN { Ok(()) } else { self.finish() }
     }
 
     /// Columns inside, after the open run; there may be none.
@@ -113,12 +113,7 @@ impl<'s, S: CoverageSink> Runs<'s, S> {
     pub(crate) fn finish(&mut self) -> Result<(), S::Error> {
         let length = take(&mut self.length);
         match self.coverage.get(..length) {
-            Some(run) if length > 0 => {
-                #[allow(clippy::cast_possible_truncation, reason = "at most 32")]
-                #[allow(clippy::cast_possible_wrap, reason = "at most 32")]
-                let length = length as i32;
-                self.sink.run(self.row, self.end - length, run)
-            }
+            Some(run) if length > 0 => self.sink.run(self.row, self.first, run),
             _ => Ok(()),
         }
     }

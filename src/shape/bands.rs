@@ -194,26 +194,22 @@ pub(super) fn send_row<S: CoverageSink>(
     columns: &Range<i32>,
     runs: &mut Runs<'_, S>,
 ) -> Result<bool, S::Error> {
-    let mut winding = Winding::new(fill_rule);
     let mut before = i64::MIN;
     let mut last = columns.start;
     for edge in &*edges {
         let (from, to) = (edge.edge.position(), edge.below_by::<false>(ONE));
-        if to + SLACK < before {
+        let first = column_of(from.min(to));
+        // Farther right than all of the edge before, it cannot have crossed it.
+        if first <= last && (first < last || to + SLACK < before) {
             return Ok(false);
         }
-        before = to;
-        if winding.cross(edge.winding()) != 0 {
-            if column_of(from.min(to)) < last {
-                return Ok(false);
-            }
-            last = column_of(from.max(to));
-        }
+        (before, last) = (to, column_of(from.max(to)));
     }
     if last >= columns.end {
         return Ok(false);
     }
     runs.start(row);
+    let mut winding = Winding::new(fill_rule);
     let mut crossings = Crossings::new();
     for edge in edges {
         let sign = winding.cross(edge.winding());
