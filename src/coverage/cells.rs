@@ -1,8 +1,8 @@
 //! A row of cells: how the area changes from each column to the next.
 //!
 //! Edges are added in any order and any number, each in the columns that it crosses and one more; a sweep from left to
-//! right adds the cells up. The idea is that of FreeType's smooth rasterizer (R. Levien's and D. Turner's `ftgrays`, after
-//! Raph Levien's libart), with one number a cell in place of two.
+//! right adds the cells up. The idea is that of Raph Levien's libart and of FreeType's smooth rasterizer (D. Turner,
+//! `ftgrays`), with one number a cell in place of two, as in Raph Levien's font-rs.
 
 use core::{mem::take, ops::Range};
 
