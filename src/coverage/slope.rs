@@ -75,7 +75,7 @@ impl Slope {
     /// Outside of the narrow zone: what it steps by is all the way to the end of the band that it was made for last.
     #[inline(always)]
     pub(crate) fn is_wide(&self) -> bool {
-        self.steepness == Steepness::WIDE
+        self.steepness.marked(0) == Steepness::WIDE
     }
 
     /// Makes a wide edge for the band from scan line `y` to `bottom`.

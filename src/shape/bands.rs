@@ -81,6 +81,9 @@ pub(super) struct Band {
 /// it keeps it to the row's end, it is added once, in place of once a band.
 const SIGN_MARK: i32 = 2;
 
+/// Where edges cross: none to the right of this one leaves the band farther to the left.
+const LEAST_MARK: i32 = 1;
+
 impl Band {
     fn offset(self) -> i32 {
         self.y & (ONE - 1)
@@ -131,8 +134,14 @@ impl Band {
     /// The same for edges of which some cross.
     #[inline(never)]
     fn add_crossing<const WIDE: bool>(self, edges: &mut [CoverageEdge], fill_rule: FillRule, cells: &mut Cells<'_>) {
-        for edge in &mut *edges {
+        let mut least = i64::MAX;
+        for edge in edges.iter_mut().rev() {
             edge.add_put_off(edge.edge.position(), self.offset(), cells);
+            let below = edge.below_by::<WIDE>(self.height);
+            if below <= least {
+                least = below;
+                edge.edge.steepness = edge.edge.steepness.marked(LEAST_MARK);
+            }
         }
         let mut winding = Winding::new(fill_rule);
         let mut start = 0;
@@ -154,6 +163,7 @@ impl Band {
         for edge in edges {
             let below = edge.below_by::<WIDE>(self.height);
             edge.edge.move_to(below);
+            edge.edge.steepness = edge.edge.steepness.marked(0);
         }
     }
 }
@@ -224,6 +234,9 @@ pub(super) fn send_row<S: CoverageSink>(
 }
 
 /// How many of the edges, from the first on, leave the band among themselves.
+///
+/// Those to the right of a place leave it no farther left than the first of them that is marked, so it is enough to compare
+/// that one with what is to the left.
 fn block_end<const WIDE: bool>(edges: &[CoverageEdge], height: i32) -> usize {
     let [first, others @ ..] = edges else { return 0 };
     let mut rightmost = first.below_by::<WIDE>(height);
@@ -232,7 +245,10 @@ fn block_end<const WIDE: bool>(edges: &[CoverageEdge], height: i32) -> usize {
     for (index, edge) in others.iter().enumerate() {
         let below = edge.below_by::<WIDE>(height);
         rightmost = rightmost.max(below);
-        if below < of_block {
+        if edge.edge.steepness.mark() == LEAST_MARK {
+            if of_block <= below.saturating_add(SLACK) {
+                break;
+            }
             end = index + 2;
             of_block = rightmost;
         }
