@@ -5,17 +5,7 @@
 //! each and the next is the same all the way down: only edges with the inside on one side of them bound it, and the
 //! area to their right is added to the cells or taken off. That is exact where contours overlap, too.
 //!
-//! Where edges cross in a band, those that do are a block of neighbours, which enters and leaves it in the same places of the
-//! order. Only the block is cut at the crossings, from top to bottom, each time at the next crossing of two neighbours:
-//!
-//! ```text
-//!        \   /      |
-//!    - - -\-/- - -  |      the block's two edges change places;
-//!          X        |      the edge to its right is in one piece
-//!         / \       |
-//! ```
-//!
-//! A crossing is off by up to 2^-31 of the band's height. In between, two edges are in the wrong order over a strip of that height.
+//! Where edges cross in a band, see `crossing`.
 
 use core::ops::Range;
 
@@ -81,11 +71,8 @@ pub(super) struct Band {
 /// it keeps it to the row's end, it is added once, in place of once a band.
 const SIGN_MARK: i32 = 2;
 
-/// Where edges cross: none to the right of this one leaves the band farther to the left.
-const LEAST_MARK: i32 = 1;
-
 impl Band {
-    fn offset(self) -> i32 {
+    pub(super) fn offset(self) -> i32 {
         self.y & (ONE - 1)
     }
 
@@ -130,48 +117,12 @@ impl Band {
             }
         }
     }
-
-    /// The same for edges of which some cross.
-    #[inline(never)]
-    fn add_crossing<const WIDE: bool>(self, edges: &mut [CoverageEdge], fill_rule: FillRule, cells: &mut Cells<'_>) {
-        let mut least = i64::MAX;
-        for edge in edges.iter_mut().rev() {
-            edge.add_put_off(edge.edge.position(), self.offset(), cells);
-            let below = edge.below_by::<WIDE>(self.height);
-            if below <= least {
-                least = below;
-                edge.edge.steepness = edge.edge.steepness.marked(LEAST_MARK);
-            }
-        }
-        let mut winding = Winding::new(fill_rule);
-        let mut start = 0;
-        while start < edges.len() {
-            let end = block_end::<WIDE>(edges.get(start..).unwrap_or_default(), self.height) + start;
-            match edges.get_mut(start..end) {
-                Some([edge]) => {
-                    let sign = winding.cross(edge.winding());
-                    let (from, to) = (edge.edge.position(), edge.below_by::<WIDE>(self.height));
-                    if sign != 0 {
-                        cells.add_ramp(&edge.ramp::<WIDE>(from, to, height_of(self.height)), sign);
-                    }
-                }
-                Some(block) => add_block::<WIDE>(block, self.height, &mut winding, cells),
-                None => return,
-            }
-            start = end;
-        }
-        for edge in edges {
-            let below = edge.below_by::<WIDE>(self.height);
-            edge.edge.move_to(below);
-            edge.edge.steepness = edge.edge.steepness.marked(0);
-        }
-    }
 }
 
 impl CoverageEdge {
     /// Adds what was put off of it, from the top of the row down `height` rows of 1/256 pixel, to `to`.
     #[inline(always)]
-    fn add_put_off(&mut self, to: i64, height: i32, cells: &mut Cells<'_>) {
+    pub(super) fn add_put_off(&mut self, to: i64, height: i32, cells: &mut Cells<'_>) {
         let sign = self.edge.steepness.mark() - SIGN_MARK;
         self.edge.steepness = self.edge.steepness.marked(0);
         if sign == 1 || sign == -1 {
@@ -182,7 +133,7 @@ impl CoverageEdge {
 }
 
 /// Edges that end in one vertex are not quite there, as slopes are rounded: 2^-24 pixel in the other order is no crossing.
-const SLACK: i64 = 1 << 16;
+pub(super) const SLACK: i64 = 1 << 16;
 
 /// Whether edges leave the band in the order they entered it in.
 #[inline(always)]
@@ -231,92 +182,4 @@ pub(super) fn send_row<S: CoverageSink>(
     }
     crossings.finish(runs)?;
     Ok(true)
-}
-
-/// How many of the edges, from the first on, leave the band among themselves.
-///
-/// Those to the right of a place leave it no farther left than the first of them that is marked, so it is enough to compare
-/// that one with what is to the left.
-fn block_end<const WIDE: bool>(edges: &[CoverageEdge], height: i32) -> usize {
-    let [first, others @ ..] = edges else { return 0 };
-    let mut rightmost = first.below_by::<WIDE>(height);
-    let mut of_block = rightmost;
-    let mut end = 1;
-    for (index, edge) in others.iter().enumerate() {
-        let below = edge.below_by::<WIDE>(height);
-        rightmost = rightmost.max(below);
-        if edge.edge.steepness.mark() == LEAST_MARK {
-            if of_block <= below.saturating_add(SLACK) {
-                break;
-            }
-            end = index + 2;
-            of_block = rightmost;
-        }
-    }
-    end
-}
-
-/// All of a band's height.
-const WHOLE: u32 = 1 << 30;
-
-/// The position, `part` of the way down.
-#[inline]
-fn between(from: i64, to: i64, part: u32) -> i64 {
-    let distance = to.abs_diff(from);
-    #[allow(clippy::cast_possible_truncation, reason = "the lower half")]
-    let low = (u64::from(distance as u32) * u64::from(part)) >> 30;
-    // At most the distance: what wraps on the way comes back.
-    let moved = ((distance >> 32) * u64::from(part)).wrapping_shl(2).wrapping_add(low);
-    if to >= from { from.wrapping_add_unsigned(moved) } else { from.wrapping_sub_unsigned(moved) }
-}
-
-/// Where two neighbours cross that leave the band in the other order, as a part of its height.
-fn crossing_of<const WIDE: bool>(left: &CoverageEdge, right: &CoverageEdge, height: i32) -> Option<u32> {
-    let (left_end, right_end) = (left.below_by::<WIDE>(height), right.below_by::<WIDE>(height));
-    if left_end <= right_end {
-        return None;
-    }
-    let (left_start, right_start) = (left.edge.position(), right.edge.position());
-    let before = if left_start < right_start { left_start.abs_diff(right_start) } else { 0 };
-    let after = left_end.abs_diff(right_end);
-    // So that neither their sum nor the product overflows; 32 bits of the greater are enough.
-    let excess = 34_u32.saturating_sub((before | after).leading_zeros());
-    let (before, after) = (before >> excess, after >> excess);
-    let part = (before << 30) / (before + after).max(1);
-    Some(u32::try_from(part).unwrap_or(WHOLE).min(WHOLE))
-}
-
-/// Adds a block of edges that cross, and leaves them in the order of the band's lower end.
-#[inline(never)]
-fn add_block<const WIDE: bool>(block: &mut [CoverageEdge], height: i32, winding: &mut Winding, cells: &mut Cells<'_>) {
-    let mut upper = 0;
-    loop {
-        let next = block
-            .windows(2)
-            .enumerate()
-            .filter_map(|(index, pair)| match pair {
-                [left, right] => Some((crossing_of::<WIDE>(left, right, height)?.max(upper), index)),
-                _ => None,
-            })
-            .min();
-        let lower = next.map_or(WHOLE, |(part, _)| part);
-        let mut across = *winding;
-        for edge in &*block {
-            let sign = across.cross(edge.winding());
-            if sign != 0 && upper < lower {
-                let (from, to) = (edge.edge.position(), edge.below_by::<WIDE>(height));
-                let part = (u64::from(lower - upper) * u64::from(height_of(height))) >> 30;
-                let part = u32::try_from(part).unwrap_or(FULL);
-                cells.add_ramp(&edge.ramp::<WIDE>(between(from, to, upper), between(from, to, lower), part), sign);
-            }
-        }
-        let Some((_, index)) = next else {
-            *winding = across;
-            return;
-        };
-        if let Some([left, right]) = block.get_mut(index..=index + 1) {
-            core::mem::swap(left, right);
-        }
-        upper = lower;
-    }
 }

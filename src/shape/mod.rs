@@ -7,6 +7,7 @@ mod covered_circle;
 mod covered_line;
 mod covered_polygon;
 mod covered_triangle;
+mod crossing;
 mod cut_runs;
 mod line;
 mod outline;
