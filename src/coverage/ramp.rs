@@ -7,9 +7,9 @@
 //!     |.'__..-|'    |     |                 half way between its sides in those between
 //! ```
 //!
-//! An edge and its mirror image, left and right exchanged, leave the same areas in a row, so only the left end and the
-//! right end count. Areas and heights are in units of which a pixel has 255 * 2^22: every
-//! formula here is off by at most a few of them.
+//! An edge and its mirror image, upper and lower end exchanged, leave the same areas in a row, so only the left end and the
+//! right end count. Areas and heights are in units of which a pixel has 255 * 2^22: every formula here is off by at most a
+//! few of them.
 
 use core::ops::RangeInclusive;
 
