@@ -9,7 +9,7 @@
 //! Shape -clip-> Edge -one step a row-> Span, or a block of equal rows -> colour -> DrawTarget::fill_solid
 //! Cover -clip-> edges and cells -a row of pixels-> Span, run of coverage -> Blend -> fill_solid, fill_contiguous
 //!
-//! limits · subpixel · geometry · turn · edge · span, error · coverage · shape, blend · draw · eg
+//! limits · subpixel · geometry · turn · edge · span, error · coverage · shape, target · blend · draw · eg
 //! ```
 //!
 //! A module uses only what stands to its left. Shapes know no colours and no targets: they push [`Span`]s or blocks
@@ -55,7 +55,7 @@
 //! A pixel's coverage is the exact area of the shape within it, rounded once to 255ths, by the fill rule where contours
 //! overlap. Shapes that share an edge share the area of each pixel. A line covers the rectangle of width 1 around it,
 //! and a circle may be off by 1/255 before it is rounded. What that makes of a colour is up to the [`Blend`]: [`Over`]
-//! a known background, [`ReadBack`] of what a framebuffer shows, [`Dither`] for few colours, [`Linear`] to mix as light
+//! a known background, [`ReadBack`] of what a framebuffer shows, [`InPlace`] in its memory, [`Dither`] for few colours, [`Linear`] to mix as light
 //! adds up.
 //!
 //! ```
@@ -110,6 +110,7 @@ mod limits;
 mod shape;
 mod span;
 mod subpixel;
+mod target;
 mod turn;
 
 #[cfg(doctest)]
@@ -119,7 +120,7 @@ struct Readme;
 #[cfg(test)]
 extern crate std;
 
-pub use blend::{Blend, Dither, Linear, Mix, MixLinear, Over, ReadBack};
+pub use blend::{Blend, Dither, InPlace, Linear, Mix, MixLinear, Over, ReadBack};
 pub use coverage::{Cell, CoverageSink, SampleCell, Samples};
 pub use draw::{AntiAlias, AntiAliased, Fill, Filled};
 pub use error::{TooLittleScratch, TooManyEdges};
@@ -131,6 +132,7 @@ pub use shape::{
     Triangle,
 };
 pub use span::{BlockSink, Span, SpanSink};
+pub use target::PixelRows;
 pub use turn::Turn;
 
 /// The traits that a program which draws needs in scope.

@@ -77,12 +77,10 @@ impl DrawTarget for Counted {
 struct Alpha;
 
 impl<D: DrawTarget<Color = Rgb565>> Blend<D> for Alpha {
-    fn run<A>(&self, target: &mut D, start: Point, _: Rgb565, alphas: A) -> Result<(), D::Error>
-    where
-        A: ExactSizeIterator<Item = u8>,
-    {
+    fn run(&self, target: &mut D, start: Point, _: Rgb565, alphas: &[u8]) -> Result<(), D::Error> {
         let places = (start.x..).map(|x| Point::new(x, start.y));
-        target.draw_iter(places.zip(alphas).map(|(point, alpha)| Pixel(point, Rgb565::from(RawU16::new(alpha.into())))))
+        target
+            .draw_iter(places.zip(alphas).map(|(point, &alpha)| Pixel(point, Rgb565::from(RawU16::new(alpha.into())))))
     }
 }
 

@@ -10,6 +10,7 @@ use embedded_graphics_core::{
     pixelcolor::{Rgb565, RgbColor},
     primitives::Rectangle,
 };
+use spanfill::PixelRows;
 
 /// The frame's width in pixels.
 pub(crate) const FRAME_WIDTH: i32 = 320;
@@ -23,7 +24,7 @@ const ROWS: usize = FRAME_HEIGHT as usize;
 ///
 /// What a firmware's own framebuffer does: solid fills go row by row, each by `slice::fill` in pieces of eight pixels
 /// (see `fill`); areas of many colours row by row, each copied to a slice; single pixels, set or read, through a bounds
-/// check.
+/// check; rows as slices for what blends in memory.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Frame {
     rows: [[Rgb565; COLUMNS]; ROWS],
@@ -144,6 +145,14 @@ impl GetPixel for Frame {
     fn pixel(&self, point: Point) -> Option<Rgb565> {
         // As in `draw_iter`.
         self.rows.get(point.y as usize)?.get(point.x as usize).copied()
+    }
+}
+
+impl PixelRows for Frame {
+    #[inline]
+    fn row_from(&mut self, start: Point) -> Option<&mut [Rgb565]> {
+        // As in `draw_iter`.
+        self.rows.get_mut(start.y as usize)?.get_mut(start.x as usize..)
     }
 }
 

@@ -16,9 +16,9 @@ use embedded_graphics::{
     primitives::{self as eg, CornerRadii, Rectangle, StrokeAlignment, StyledDimensions, StyledDrawable},
 };
 use spanfill::{
-    ActiveEdge, ActiveEdges, Blend, BlockSink, Cell, Circle, Cover, CoverageEdge, CoverageSink, Dither, FillRule, Line,
-    Linear, Mix, MixLinear, Over, PixelRect, Polygon, ReadBack, SampleCell, SampleEdge, Samples, Shape, Span, SpanSink,
-    TooLittleScratch, Triangle, Turn, Vertex,
+    ActiveEdge, ActiveEdges, Blend, BlockSink, Cell, Circle, Cover, CoverageEdge, CoverageSink, Dither, FillRule,
+    InPlace, Line, Linear, Mix, MixLinear, Over, PixelRect, PixelRows, Polygon, ReadBack, SampleCell, SampleEdge,
+    Samples, Shape, Span, SpanSink, TooLittleScratch, Triangle, Turn, Vertex,
     eg::{DrawOn, Style, StyleBuilder},
     prelude::*,
 };
@@ -114,6 +114,32 @@ impl CoverageSink for Sink {
     }
 }
 
+/// One that is sent eights, which the library's own blending only wants on hosts.
+struct Eights;
+
+impl CoverageSink for Eights {
+    type Error = u8;
+
+    const EIGHTS: bool = true;
+
+    fn span(&mut self, span: Span, coverage: u8) -> Result<(), u8> {
+        black_box((span, coverage));
+        black_box(Ok(()))
+    }
+
+    fn run(&mut self, row: i32, column: i32, coverage: &[u8]) -> Result<(), u8> {
+        black_box((row, column, coverage));
+        black_box(Ok(()))
+    }
+}
+
+impl PixelRows for Display {
+    fn row_from(&mut self, start: Point) -> Option<&mut [Rgb565]> {
+        black_box(start);
+        black_box(None)
+    }
+}
+
 fn push(shape: impl Shape, clip: &PixelRect, display: &mut Display) {
     black_box(shape.bounds());
     let _ = black_box(shape.spans(clip, &mut Sink));
@@ -127,6 +153,7 @@ fn push(shape: impl Shape, clip: &PixelRect, display: &mut Display) {
 fn cover(shape: &impl Cover, clip: &PixelRect, display: &mut Display) {
     black_box(shape.touched());
     let _ = black_box(shape.coverage(clip, &mut Sink));
+    let _ = black_box(shape.coverage(clip, &mut Eights));
     let background = Over(black_box(Rgb565::BLUE));
     let drawable = Borrowed(shape).antialiased(black_box(Rgb565::RED), background);
     black_box(drawable.bounding_box());
@@ -136,6 +163,7 @@ fn cover(shape: &impl Cover, clip: &PixelRect, display: &mut Display) {
     blend(shape, Dither, display);
     blend(shape, ReadBack, display);
     blend(shape, Linear(ReadBack), display);
+    blend(shape, InPlace, display);
 }
 
 fn blend(shape: &impl Cover, blend: impl Blend<Display>, display: &mut Display) {

@@ -107,14 +107,11 @@ fn place(coordinate: i32) -> usize {
 
 impl<C: PixelColor, D: DrawTarget<Color = C>> Blend<D> for Dither {
     #[inline]
-    fn run<A>(&self, target: &mut D, start: Point, colour: C, alphas: A) -> Result<(), D::Error>
-    where
-        A: ExactSizeIterator<Item = u8>,
-    {
+    fn run(&self, target: &mut D, start: Point, colour: C, alphas: &[u8]) -> Result<(), D::Error> {
         let row = THRESHOLDS.get(place(start.y)).copied().unwrap_or_default();
         // What is to be drawn and not yet sent.
         let mut piece = start.x..start.x;
-        for alpha in alphas {
+        for &alpha in alphas {
             let next = piece.end.wrapping_add(1);
             let threshold = row.get(place(piece.end)).copied().unwrap_or_default();
             if alpha <= threshold {

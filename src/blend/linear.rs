@@ -83,10 +83,7 @@ pub struct Linear<B>(pub B);
 
 impl<C: MixLinear, D: DrawTarget<Color = C>> Blend<D> for Linear<Over<C>> {
     #[inline]
-    fn run<A>(&self, target: &mut D, start: Point, colour: C, alphas: A) -> Result<(), D::Error>
-    where
-        A: ExactSizeIterator<Item = u8>,
-    {
+    fn run(&self, target: &mut D, start: Point, colour: C, alphas: &[u8]) -> Result<(), D::Error> {
         let Self(Over(background)) = *self;
         Over::run_by(target, start, alphas, |alpha| colour.over_linear(background, alpha))
     }
@@ -100,10 +97,7 @@ impl<C: MixLinear, D: DrawTarget<Color = C>> Blend<D> for Linear<Over<C>> {
 
 impl<C: MixLinear, D: DrawTarget<Color = C> + GetPixel<Color = C>> Blend<D> for Linear<ReadBack> {
     #[inline]
-    fn run<A>(&self, target: &mut D, start: Point, colour: C, alphas: A) -> Result<(), D::Error>
-    where
-        A: ExactSizeIterator<Item = u8>,
-    {
+    fn run(&self, target: &mut D, start: Point, colour: C, alphas: &[u8]) -> Result<(), D::Error> {
         ReadBack::run_by(target, start, alphas, |backdrop, alpha| colour.over_linear(backdrop, alpha))
     }
 }

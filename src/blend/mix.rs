@@ -1,5 +1,6 @@
 //! Mixing two colours, channel by channel, two channels to a multiplication.
 
+use crate::blend::lanes::{narrow_lane, wide_lane};
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, IntoStorage, PixelColor, Rgb555, Rgb565, Rgb666,
     Rgb888, raw::RawData,
@@ -37,6 +38,16 @@ use embedded_graphics_core::pixelcolor::{
 pub trait Mix: PixelColor {
     /// This colour, `alpha` 255ths opaque, over another.
     fn over(self, backdrop: Self, alpha: u8) -> Self;
+
+    /// This colour over each of eight, by an alpha for each: the same as eight times [`over`](Self::over).
+    ///
+    /// For the colours of embedded-graphics the compiler does it in registers of eight lanes, where there are any.
+    #[inline]
+    fn over_eight(self, backdrops: &mut [Self; 8], alphas: &[u8; 8]) {
+        for (backdrop, alpha) in backdrops.iter_mut().zip(alphas) {
+            *backdrop = self.over(*backdrop, *alpha);
+        }
+    }
 }
 
 /// A channel of at most 255 steps, mixed.
@@ -104,22 +115,31 @@ fn mix_three_at_once<const LOW: u32, const MIDDLE: u32, const HIGH: u32>(top: u6
 }
 
 macro_rules! impl_mix {
-    ($mix:expr => $($colour:ident)+) => {
+    ($mix:expr, $mix_lane:expr => $($colour:ident)+) => {
         $(impl Mix for $colour {
             #[inline]
             fn over(self, backdrop: Self, alpha: u8) -> Self {
                 let mixed = $mix(self.into_storage().into(), backdrop.into_storage().into(), alpha);
                 <Self as PixelColor>::Raw::from_u32(mixed).into()
             }
+
+            /// Out of line, the compiler sees a loop of eight, and does it at once.
+            #[inline(never)]
+            fn over_eight(self, backdrops: &mut [Self; 8], alphas: &[u8; 8]) {
+                for (backdrop, alpha) in backdrops.iter_mut().zip(alphas) {
+                    let mixed = $mix_lane(self.into_storage().into(), backdrop.into_storage().into(), *alpha);
+                    *backdrop = <Self as PixelColor>::Raw::from_u32(mixed.into()).into();
+                }
+            }
         })+
     };
 }
 
-impl_mix!(mix_one => Gray2 Gray4 Gray8);
-impl_mix!(mix_three::<5, 5, 5> => Rgb555 Bgr555);
-impl_mix!(mix_three::<5, 6, 5> => Rgb565 Bgr565);
-impl_mix!(mix_three::<6, 6, 6> => Rgb666 Bgr666);
-impl_mix!(mix_three::<8, 8, 8> => Rgb888 Bgr888);
+impl_mix!(mix_one, narrow_lane::<8, 0, 0> => Gray2 Gray4 Gray8);
+impl_mix!(mix_three::<5, 5, 5>, narrow_lane::<5, 5, 5> => Rgb555 Bgr555);
+impl_mix!(mix_three::<5, 6, 5>, narrow_lane::<5, 6, 5> => Rgb565 Bgr565);
+impl_mix!(mix_three::<6, 6, 6>, wide_lane::<6, 6, 6> => Rgb666 Bgr666);
+impl_mix!(mix_three::<8, 8, 8>, wide_lane::<8, 8, 8> => Rgb888 Bgr888);
 
 impl Mix for BinaryColor {
     #[inline]

@@ -1,6 +1,8 @@
 //! What colour results where a colour covers a pixel in part.
 
 mod dither;
+mod in_place;
+mod lanes;
 mod linear;
 mod mix;
 mod over;
@@ -8,14 +10,17 @@ mod read_back;
 mod srgb;
 
 pub use dither::Dither;
+pub use in_place::InPlace;
 pub use linear::{Linear, MixLinear};
 pub use mix::Mix;
 pub use over::Over;
 pub use read_back::ReadBack;
 
-use core::iter::repeat_n;
-
-use embedded_graphics_core::{draw_target::DrawTarget, geometry::Point};
+use embedded_graphics_core::{
+    draw_target::DrawTarget,
+    geometry::{Point, Size},
+    primitives::Rectangle,
+};
 
 /// Draws one colour, more or less opaque, onto a target: how the edges of a shape are mixed with what is behind it.
 ///
@@ -23,6 +28,7 @@ use embedded_graphics_core::{draw_target::DrawTarget, geometry::Point};
 /// |---|---|---|---|
 /// | [`Over`] | only take pixels | one known colour | displays that cannot be read |
 /// | [`ReadBack`] | have `GetPixel` | what it shows | framebuffers, bands |
+/// | [`InPlace`] | have [`PixelRows`](crate::PixelRows) | what it shows | the same, faster |
 /// | [`Dither`] | only take pixels | stays, pixel by pixel | one or two bits a pixel |
 /// | [`Linear`] | as within it | as within it | [`Over`] or [`ReadBack`] as light adds up |
 ///
@@ -44,10 +50,7 @@ use embedded_graphics_core::{draw_target::DrawTarget, geometry::Point};
 /// struct OverSky;
 ///
 /// impl<D: DrawTarget<Color = Gray8>> Blend<D> for OverSky {
-///     fn run<A>(&self, target: &mut D, start: Point, colour: Gray8, alphas: A) -> Result<(), D::Error>
-///     where
-///         A: ExactSizeIterator<Item = u8>,
-///     {
+///     fn run(&self, target: &mut D, start: Point, colour: Gray8, alphas: &[u8]) -> Result<(), D::Error> {
 ///         let row = start.y.clamp(0, 63) as u8;
 ///         Over(Gray8::new(4 * row)).run(target, start, colour, alphas)
 ///     }
@@ -59,14 +62,63 @@ use embedded_graphics_core::{draw_target::DrawTarget, geometry::Point};
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 pub trait Blend<D: DrawTarget>: Copy {
+    /// Whether [`eight`](Self::eight) takes no longer than two or three pixels by [`run`](Self::run): the edges of shapes are
+    /// then drawn by it and by [`span_with_sides`](Self::span_with_sides). The pixels are the same.
+    const EIGHTS: bool = false;
+
     /// Draws a pixel for each of `alphas`, of which there is at least one, from `start` to the right.
     ///
     /// # Errors
     ///
     /// The target's, at once.
-    fn run<A>(&self, target: &mut D, start: Point, colour: D::Color, alphas: A) -> Result<(), D::Error>
-    where
-        A: ExactSizeIterator<Item = u8>;
+    fn run(&self, target: &mut D, start: Point, colour: D::Color, alphas: &[u8]) -> Result<(), D::Error>;
+
+    /// Draws eight pixels, from `start` to the right; those of alpha 0 stay, and may lie to the right of the target.
+    ///
+    /// By itself it is [`run`](Self::run); who sets [`EIGHTS`](Self::EIGHTS) writes it, too.
+    ///
+    /// # Errors
+    ///
+    /// The target's, at once.
+    #[inline]
+    fn eight(&self, target: &mut D, start: Point, colour: D::Color, alphas: &[u8; 8]) -> Result<(), D::Error> {
+        self.run(target, start, colour, alphas)
+    }
+
+    /// Draws `width` pixels, of which there are at least eight, from `start` to the right: the first four and the last four
+    /// as `sides` tells, the others in the colour itself.
+    ///
+    /// # Errors
+    ///
+    /// The target's, at once.
+    #[inline]
+    fn span_with_sides(
+        &self,
+        target: &mut D,
+        start: Point,
+        width: u32,
+        colour: D::Color,
+        sides: &[u8; 8],
+    ) -> Result<(), D::Error> {
+        let (of_left, of_right) = sides.split_at(4);
+        let inside = right_of(start, 4);
+        let width = width.saturating_sub(8);
+        self.run(target, start, colour, of_left)?;
+        if width > 0 {
+            self.fill(target, inside, width, colour)?;
+        }
+        self.run(target, Point::new(inside.x.wrapping_add_unsigned(width), start.y), colour, of_right)
+    }
+
+    /// Draws `width` pixels, of which there is at least one, in the colour itself, from `start` to the right.
+    ///
+    /// # Errors
+    ///
+    /// The target's, at once.
+    #[inline(always)]
+    fn fill(&self, target: &mut D, start: Point, width: u32, colour: D::Color) -> Result<(), D::Error> {
+        target.fill_solid(&Rectangle::new(start, Size::new(width, 1)), colour)
+    }
 
     /// Draws `width` pixels, of which there is at least one, that are all alike, from `start` to the right.
     ///
@@ -75,7 +127,24 @@ pub trait Blend<D: DrawTarget>: Copy {
     /// The target's, at once.
     #[inline]
     fn span(&self, target: &mut D, start: Point, width: u32, colour: D::Color, alpha: u8) -> Result<(), D::Error> {
-        let width = usize::try_from(width).unwrap_or(usize::MAX);
-        self.run(target, start, colour, repeat_n(alpha, width))
+        let alphas = [alpha; PIECE];
+        let mut start = start;
+        let mut left = usize::try_from(width).unwrap_or(usize::MAX);
+        while left > 0 {
+            let piece = alphas.get(..left).unwrap_or(&alphas);
+            self.run(target, start, colour, piece)?;
+            start = right_of(start, piece.len());
+            left -= piece.len();
+        }
+        Ok(())
     }
+}
+
+/// What does not go to a target in one piece goes in pieces of so many pixels.
+pub(crate) const PIECE: usize = 32;
+
+/// So many pixels to the right.
+#[inline(always)]
+pub(crate) fn right_of(point: Point, pixels: usize) -> Point {
+    Point::new(point.x.wrapping_add_unsigned(u32::try_from(pixels).unwrap_or(0)), point.y)
 }

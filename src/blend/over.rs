@@ -1,5 +1,7 @@
 //! Over a background that is known.
 
+use core::iter::once;
+
 use embedded_graphics_core::{
     Pixel,
     draw_target::DrawTarget,
@@ -46,25 +48,21 @@ impl<C: PixelColor> Over<C> {
     pub(super) fn run_by<D: DrawTarget<Color = C>>(
         target: &mut D,
         start: Point,
-        mut alphas: impl ExactSizeIterator<Item = u8>,
+        alphas: &[u8],
         mix: impl Fn(u8) -> C,
     ) -> Result<(), D::Error> {
-        let width = alphas.len();
-        if width == 1 {
+        if let [alpha] = *alphas {
             // The same to a bus, and no walk over a rectangle to a framebuffer: most runs are as short.
-            return target.draw_iter(alphas.next().map(|alpha| Pixel(start, mix(alpha))));
+            return target.draw_iter(once(Pixel(start, mix(alpha))));
         }
-        let size = Size::new(u32::try_from(width).unwrap_or(u32::MAX), 1);
-        target.fill_contiguous(&Rectangle::new(start, size), alphas.map(mix))
+        let size = Size::new(u32::try_from(alphas.len()).unwrap_or(u32::MAX), 1);
+        target.fill_contiguous(&Rectangle::new(start, size), alphas.iter().map(|&alpha| mix(alpha)))
     }
 }
 
 impl<C: Mix, D: DrawTarget<Color = C>> Blend<D> for Over<C> {
     #[inline]
-    fn run<A>(&self, target: &mut D, start: Point, colour: C, alphas: A) -> Result<(), D::Error>
-    where
-        A: ExactSizeIterator<Item = u8>,
-    {
+    fn run(&self, target: &mut D, start: Point, colour: C, alphas: &[u8]) -> Result<(), D::Error> {
         Self::run_by(target, start, alphas, |alpha| colour.over(self.0, alpha))
     }
 

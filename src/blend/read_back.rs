@@ -52,11 +52,11 @@ impl ReadBack {
     pub(super) fn run_by<C: PixelColor, D: DrawTarget<Color = C> + GetPixel<Color = C>>(
         target: &mut D,
         start: Point,
-        alphas: impl Iterator<Item = u8>,
+        alphas: &[u8],
         mix: impl Fn(C, u8) -> C,
     ) -> Result<(), D::Error> {
         let mut point = start;
-        for alpha in alphas {
+        for &alpha in alphas {
             match target.pixel(point) {
                 Some(backdrop) => target.draw_iter(once(Pixel(point, mix(backdrop, alpha))))?,
                 // Hardly ever within the bounding box. What the compiler cannot see through keeps it from unrolling the
@@ -72,10 +72,7 @@ impl ReadBack {
 
 impl<C: Mix, D: DrawTarget<Color = C> + GetPixel<Color = C>> Blend<D> for ReadBack {
     #[inline]
-    fn run<A>(&self, target: &mut D, start: Point, colour: C, alphas: A) -> Result<(), D::Error>
-    where
-        A: ExactSizeIterator<Item = u8>,
-    {
+    fn run(&self, target: &mut D, start: Point, colour: C, alphas: &[u8]) -> Result<(), D::Error> {
         Self::run_by(target, start, alphas, |backdrop, alpha| colour.over(backdrop, alpha))
     }
 }

@@ -23,7 +23,7 @@
 use core::ops::Range;
 
 use crate::{
-    coverage::{Ramp, Steepness, height_in},
+    coverage::{Extent, Ramp, Steepness, height_in},
     limits::{ONE, SUBPIXEL_BITS},
 };
 
@@ -54,14 +54,14 @@ pub(super) struct Chord {
     upper: u32,
     lower: u32,
     height: u32,
-    steepness: Steepness,
+    pub(super) steepness: Steepness,
 }
 
 impl Chord {
     /// Left of the centre, without what sticks out of `touched`: a chord that does is less than a pixel wide.
     #[inline(always)]
     pub(super) fn left(&self, center: Center, touched: &Range<i32>) -> Ramp {
-        let ramp = self.ramp(center.left(self.upper), center.left(self.lower), center);
+        let ramp = self.ramp(self.extents(center).0);
         if ramp.first < touched.start && ramp.first + 1 == ramp.last {
             return Ramp::in_column(ramp.last, ramp.height, ramp.last_area);
         }
@@ -71,7 +71,7 @@ impl Chord {
     /// Right of it.
     #[inline(always)]
     pub(super) fn right(&self, center: Center, touched: &Range<i32>) -> Ramp {
-        let ramp = self.ramp(center.right(self.upper), center.right(self.lower), center);
+        let ramp = self.ramp(self.extents(center).1);
         if ramp.last >= touched.end && ramp.first + 1 == ramp.last {
             return Ramp::in_column(ramp.first, ramp.height, ramp.first_area);
         }
@@ -79,11 +79,20 @@ impl Chord {
     }
 
     #[inline(always)]
-    fn ramp(&self, a: i32, b: i32, center: Center) -> Ramp {
-        let (left, right) = (a.min(b), a.max(b));
-        let part = |place: i32| place.cast_unsigned() << (32 - BITS);
-        let columns = center.column_at(left)..=center.column_at(right);
-        Ramp::within(columns, part(left), part(right), self.height, self.steepness)
+    fn ramp(&self, extent: Extent) -> Ramp {
+        Ramp::new(extent, self.height, self.steepness)
+    }
+
+    /// What it crosses on the left and on the right of the centre.
+    #[inline(always)]
+    pub(super) fn extents(&self, center: Center) -> (Extent, Extent) {
+        let (inner, outer) = (self.upper.min(self.lower), self.upper.max(self.lower));
+        let extent = |left: i32, right: i32| {
+            let part = |place: i32| place.cast_unsigned() << (32 - BITS);
+            let (first, last) = (center.column_at(left), center.column_at(right));
+            Extent { first, last, left: part(left), right: part(right) }
+        };
+        (extent(center.left(outer), center.left(inner)), extent(center.right(inner), center.right(outer)))
     }
 }
 

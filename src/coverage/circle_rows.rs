@@ -8,10 +8,11 @@ use crate::{
     coverage::{
         Cell, Cells, CoverageSink, Ramp, Runs,
         circle_chords::{BITS, Center, Chord, FINER, LARGEST_RADIUS, Outline, Point, ROW},
-        ramp::{FULL, coverage_of, height_in},
+        ramp::height_in,
+        sides::send_between,
     },
     limits::SUBPIXEL_BITS,
-    span::{Span, clip_range},
+    span::clip_range,
 };
 
 /// Cells for either side of a row, or for both.
@@ -86,46 +87,13 @@ impl<S: CoverageSink> Walk<'_, S> {
             return Ok(false);
         }
         let Some(chord) = self.outline.chord(upper, lower) else { return Ok(false) };
-        let (left, right) = (chord.left(self.center, &self.touched), chord.right(self.center, &self.touched));
+        let (left, right) = chord.extents(self.center);
         let is_inside = left.first >= self.columns.start && right.last < self.columns.end;
         if left.last >= right.first || !is_inside {
             return Ok(false);
         }
-        self.send_side(row, &left, |area| area)?;
-        let columns = left.last + 1..right.first;
-        if columns.start < columns.end {
-            self.runs.sink.span(Span { row, columns }, 255)?;
-        }
-        self.send_side(row, &right, |area| FULL.wrapping_sub(area))?;
+        send_between(row, (left, chord.steepness), (right, chord.steepness), &mut self.runs)?;
         Ok(true)
-    }
-
-    /// Sends the columns that a chord crosses.
-    #[inline(always)]
-    fn send_side(&mut self, row: i32, ramp: &Ramp, covered: impl Fn(u32) -> u32) -> Result<(), S::Error> {
-        let coverage = |area: u32| coverage_of(covered(area));
-        let sink = &mut *self.runs.sink;
-        let (first, last) = (coverage(ramp.first_area), coverage(ramp.last_area));
-        if ramp.first == ramp.last {
-            return if first == 0 { Ok(()) } else { sink.run(row, ramp.first, &[first]) };
-        }
-        if ramp.first + 1 == ramp.last {
-            return match (first, last) {
-                (0, 0) => Ok(()),
-                (0, last) => sink.run(row, ramp.last, &[last]),
-                (first, 0) => sink.run(row, ramp.first, &[first]),
-                (first, last) => sink.run(row, ramp.first, &[first, last]),
-            };
-        }
-        self.runs.start(row);
-        self.runs.pixel(ramp.first, first)?;
-        let mut area = ramp.second_area;
-        for column in ramp.first + 1..ramp.last {
-            self.runs.pixel(column, coverage(area))?;
-            area = area.wrapping_add(ramp.step);
-        }
-        self.runs.pixel(ramp.last, last)?;
-        self.runs.finish()
     }
 
     /// Sends any row.

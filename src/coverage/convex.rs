@@ -8,7 +8,7 @@ use core::ops::Range;
 
 use crate::{
     coverage::{
-        Cell, Cells, CoverageSink, Ramp, Runs, Steepness,
+        Cell, Cells, CoverageSink, Extent, Ramp, Runs, Steepness,
         ramp::{column_of, coverage_of},
     },
     span::clip_range,
@@ -77,10 +77,10 @@ fn send_pieces<L: Side, R: Side, S: CoverageSink>(
         }
         let mut window = Cells::new(&mut cells, zone.start..end);
         left.clone().pieces(row, |from, to, height, steepness| {
-            window.add_ramp(&Ramp::between(from, to, height, steepness), 1);
+            window.add_ramp(&Ramp::new(Extent::between(from, to), height, steepness), 1);
         });
         right.clone().pieces(row, |from, to, height, steepness| {
-            window.add_ramp(&Ramp::between(from, to, height, steepness), -1);
+            window.add_ramp(&Ramp::new(Extent::between(from, to), height, steepness), -1);
         });
         window.sweep(row, runs)?;
         zone.start = end;

@@ -11,8 +11,6 @@
 //! right end count. Areas and heights are in units of which a pixel has 255 * 2^22: every formula here is off by at most a
 //! few of them.
 
-use core::ops::RangeInclusive;
-
 use crate::coverage::slope::{Steepness, high_word};
 
 /// The area of a pixel; also its height: a 255th is 2^22.
@@ -65,6 +63,36 @@ pub(crate) fn part_of(position: i64) -> u32 {
     part
 }
 
+/// How far down an edge goes for a width.
+pub(crate) trait Steep: Copy {
+    /// For `across`, less than a pixel, in 2^-32; at most about a pixel.
+    fn down(self, across: u32) -> u32;
+
+    /// For a pixel, of an edge that crosses one within a row.
+    fn down_a_pixel(self) -> u32;
+
+    /// For any number of pixels, of an edge that may cross more than [`STEPPED`].
+    fn steepness(self) -> Steepness;
+}
+
+/// The columns that an edge crosses in a row, and how far into the first and the last, in 2^-32.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Extent {
+    pub(crate) first: i32,
+    pub(crate) last: i32,
+    pub(crate) left: u32,
+    pub(crate) right: u32,
+}
+
+impl Extent {
+    /// Between the positions of an edge's ends, in either order.
+    #[inline(always)]
+    pub(crate) fn between(a: i64, b: i64) -> Self {
+        let (left, right) = (a.min(b), a.max(b));
+        Self { first: column_of(left), last: column_of(right), left: part_of(left), right: part_of(right) }
+    }
+}
+
 impl Ramp {
     /// All of it in one column, of which the area is known.
     #[inline(always)]
@@ -81,44 +109,42 @@ impl Ramp {
         }
     }
 
-    /// Between the positions of an edge's ends in the row, in either order, over `height`.
+    /// Of an edge over `height`.
     #[inline(always)]
-    pub(crate) fn between(a: i64, b: i64, height: u32, steepness: Steepness) -> Self {
-        let (left, right) = (a.min(b), a.max(b));
-        Self::within(column_of(left)..=column_of(right), part_of(left), part_of(right), height, steepness)
-    }
-
-    /// From one column to another, so far into the first, and so far into the last, in 2^-32.
-    #[inline(always)]
-    pub(crate) fn within(
-        columns: RangeInclusive<i32>,
-        left_part: u32,
-        right_part: u32,
-        height: u32,
-        steepness: Steepness,
-    ) -> Self {
-        let (first, last) = (*columns.start(), *columns.end());
+    pub(crate) fn new(extent: Extent, height: u32, steep: impl Steep) -> Self {
+        let Extent { first, last, left, right } = extent;
+        let in_one = || height - high_word(height, (left >> 1) + (right >> 1));
         if first == last {
-            let mean = (left_part >> 1) + (right_part >> 1);
-            return Self::in_column(first, height, height - high_word(height, mean));
+            return Self::in_column(first, height, in_one());
         }
-        let to_boundary = !left_part;
-        let down = steepness.down(to_boundary).min(height);
-        let (rest, step) = if last == first + 1 {
-            (height - down, 0)
-        } else {
-            (steepness.down(right_part).min(height), steepness.down_a_pixel())
-        };
+        let down = steep.down(!left).min(height);
+        let (rest, step) =
+            if last == first + 1 { (height - down, 0) } else { (steep.down(right).min(height), steep.down_a_pixel()) };
         Self {
             first,
             last,
             height,
-            first_area: high_word(to_boundary, down) >> 1,
-            last_area: height - (high_word(right_part, rest) >> 1),
+            first_area: high_word(!left, down) >> 1,
+            last_area: height - (high_word(right, rest) >> 1),
             second_area: down + (step >> 1),
             step,
-            steepness,
+            steepness: steep.steepness(),
         }
+    }
+
+    /// The same without a jump, for edges that cross few columns.
+    #[inline(always)]
+    pub(crate) fn new_few(extent: Extent, height: u32, steep: impl Steep) -> Self {
+        let Extent { first, last, left, right } = extent;
+        let across = last.wrapping_sub(first);
+        let in_one = height - high_word(height, (left >> 1) + (right >> 1));
+        let down = steep.down(!left).min(height);
+        let step = steep.down_a_pixel();
+        let first_area = select(across == 0, in_one, high_word(!left, down) >> 1);
+        let rest = select(across == 1, height - down, steep.down(right).min(height));
+        let last_area = select(across == 0, in_one, height - (high_word(right, rest) >> 1));
+        let second_area = select(across == 1, last_area, down.wrapping_add(step >> 1));
+        Self { first, last, height, first_area, last_area, second_area, step, steepness: steep.steepness() }
     }
 
     /// The area in a column.
@@ -137,6 +163,13 @@ impl Ramp {
             }
         }
     }
+}
+
+/// One of two, without a jump.
+#[inline(always)]
+pub(crate) fn select(condition: bool, yes: u32, no: u32) -> u32 {
+    let mask = u32::from(condition).wrapping_neg();
+    no ^ ((yes ^ no) & mask)
 }
 
 /// An area, in 255ths of a pixel, to the nearest; a few units beyond either end belong to it.

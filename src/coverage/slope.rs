@@ -7,6 +7,7 @@
 
 use crate::{
     Vertex,
+    coverage::ramp::Steep,
     edge::{Descent, divide_product},
 };
 
@@ -211,26 +212,31 @@ impl Steepness {
         (self.0 & MANTISSA_MASK, 32_u32.saturating_sub(shift) & 31, shift.saturating_sub(32).min(31))
     }
 
-    /// How far down for `across`, less than a pixel, in 2^-32; at most about a pixel.
+    /// How far down for so many pixels, below 2^24.
+    pub(crate) fn down_pixels(self, pixels: u32) -> u32 {
+        let down = (u64::from(pixels) * u64::from(self.0 & MANTISSA_MASK)) >> (self.0 & SHIFT_MASK).saturating_sub(32);
+        u32::try_from(down).unwrap_or(u32::MAX)
+    }
+}
+
+impl Steep for Steepness {
     #[inline(always)]
-    pub(crate) fn down(self, across: u32) -> u32 {
+    fn down(self, across: u32) -> u32 {
         #[allow(clippy::cast_possible_truncation, reason = "about 2^30, or less")]
         let down = ((u64::from(across) * u64::from(self.0 & MANTISSA_MASK)) >> (self.0 & SHIFT_MASK)) as u32;
         down
     }
 
-    /// The same for so many pixels, below 2^24.
-    pub(crate) fn down_pixels(self, pixels: u32) -> u32 {
-        let down = (u64::from(pixels) * u64::from(self.0 & MANTISSA_MASK)) >> (self.0 & SHIFT_MASK).saturating_sub(32);
-        u32::try_from(down).unwrap_or(u32::MAX)
-    }
-
-    /// The same for a whole pixel, of a line that crosses one within a row.
     #[inline(always)]
-    pub(crate) fn down_a_pixel(self) -> u32 {
+    fn down_a_pixel(self) -> u32 {
         #[allow(clippy::cast_possible_truncation, reason = "about 2^30, or less")]
         let down = ((u64::from(self.0 & MANTISSA_MASK) << 32) >> (self.0 & SHIFT_MASK)) as u32;
         down
+    }
+
+    #[inline(always)]
+    fn steepness(self) -> Steepness {
+        self
     }
 }
 

@@ -3,14 +3,14 @@
 use embedded_graphics_core::{
     Drawable,
     draw_target::DrawTarget,
-    geometry::{Dimensions, Point, Size},
+    geometry::{Dimensions, Point},
     pixelcolor::PixelColor,
     primitives::Rectangle,
 };
 
 use crate::{
     PixelRect,
-    blend::{Blend, Dither, Linear, Mix, MixLinear, Over},
+    blend::{Blend, Dither, Linear, Mix, MixLinear, Over, PIECE, right_of},
     coverage::CoverageSink,
     shape::Cover,
     span::Span,
@@ -63,7 +63,8 @@ impl<S: Cover> AntiAlias for S {}
 ///
 /// - A display behind a bus cannot be read: [`Over`] its background, or [`Dither`].
 /// - A framebuffer in memory can. It needs `GetPixel`, which embedded-graphics' `Framebuffer` has, and takes any number
-///   of shapes on top of each other with [`ReadBack`](crate::ReadBack).
+///   of shapes on top of each other with [`ReadBack`](crate::ReadBack). One whose pixels are values of its colour can have
+///   [`PixelRows`](crate::PixelRows), and takes the same faster with [`InPlace`](crate::InPlace).
 /// - A band is a framebuffer of a few rows that stands for one part of the screen after the other. Let its bounding box
 ///   be that part, in the screen's coordinates, and its `GetPixel` take the same, and draw every shape on every band:
 ///   the bands together show what one framebuffer would.
@@ -201,7 +202,50 @@ fn run_faded<D: DrawTarget, B: Blend<D>>(
     coverage: &[u8],
     opacity: u8,
 ) -> Result<(), D::Error> {
-    blend.run(target, start, colour, coverage.iter().map(|&coverage| faded(coverage, opacity)))
+    let mut start = start;
+    for piece in coverage.chunks(PIECE) {
+        let mut alphas = [0; PIECE];
+        for (alpha, coverage) in alphas.iter_mut().zip(piece) {
+            *alpha = faded(*coverage, opacity);
+        }
+        blend.run(target, start, colour, alphas.get(..piece.len()).unwrap_or_default())?;
+        start = right_of(start, piece.len());
+    }
+    Ok(())
+}
+
+/// The same for eight pixels.
+#[inline(never)]
+fn eight_faded<D: DrawTarget, B: Blend<D>>(
+    blend: B,
+    target: &mut D,
+    start: Point,
+    colour: D::Color,
+    coverage: &[u8; 8],
+    opacity: u8,
+) -> Result<(), D::Error> {
+    blend.eight(target, start, colour, &coverage.map(|coverage| faded(coverage, opacity)))
+}
+
+/// The same for a span with sides.
+#[inline(never)]
+fn span_with_sides_faded<D: DrawTarget, B: Blend<D>>(
+    blend: B,
+    target: &mut D,
+    start: Point,
+    width: u32,
+    colour: D::Color,
+    sides: &[u8; 8],
+    opacity: u8,
+) -> Result<(), D::Error> {
+    let sides = sides.map(|coverage| faded(coverage, opacity));
+    let (of_left, of_right) = sides.split_at(4);
+    let (inside, width) = (right_of(start, 4), width.saturating_sub(8));
+    blend.run(target, start, colour, of_left)?;
+    if width > 0 {
+        blend.span(target, inside, width, colour, opacity)?;
+    }
+    blend.run(target, Point::new(inside.x.wrapping_add_unsigned(width), start.y), colour, of_right)
 }
 
 /// A span that is let through, or covered in part.
@@ -226,9 +270,35 @@ impl<D: DrawTarget, B: Blend<D>> CoverageSink for BlendedFill<'_, D, B> {
         let start = Point::new(columns.start, row);
         let width = columns.end.wrapping_sub(columns.start).cast_unsigned();
         if coverage == 255 && self.opacity == 255 {
-            self.target.fill_solid(&Rectangle::new(start, Size::new(width, 1)), self.colour)
+            self.blend.fill(self.target, start, width, self.colour)
         } else {
             span_faded(self.blend, self.target, start, width, self.colour, faded(coverage, self.opacity))
+        }
+    }
+
+    const EIGHTS: bool = B::EIGHTS;
+
+    #[inline]
+    fn eight(&mut self, row: i32, column: i32, coverage: &[u8; 8]) -> Result<(), D::Error> {
+        let Self { ref mut target, blend, colour, opacity } = *self;
+        let start = Point::new(column, row);
+        if opacity == 255 {
+            blend.eight(target, start, colour, coverage)
+        } else {
+            eight_faded(blend, *target, start, colour, coverage, opacity)
+        }
+    }
+
+    #[inline]
+    fn span_with_sides(&mut self, span: Span, sides: &[u8; 8]) -> Result<(), D::Error> {
+        let Self { ref mut target, blend, colour, opacity } = *self;
+        let Span { row, columns } = span;
+        let start = Point::new(columns.start, row);
+        let width = columns.end.wrapping_sub(columns.start).cast_unsigned();
+        if opacity == 255 {
+            blend.span_with_sides(target, start, width, colour, sides)
+        } else {
+            span_with_sides_faded(blend, *target, start, width, colour, sides, opacity)
         }
     }
 
@@ -237,7 +307,7 @@ impl<D: DrawTarget, B: Blend<D>> CoverageSink for BlendedFill<'_, D, B> {
         let Self { ref mut target, blend, colour, opacity } = *self;
         let start = Point::new(column, row);
         if opacity == 255 {
-            blend.run(target, start, colour, coverage.iter().copied())
+            blend.run(target, start, colour, coverage)
         } else {
             run_faded(blend, *target, start, colour, coverage, opacity)
         }

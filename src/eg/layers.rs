@@ -176,7 +176,7 @@ where
                     column += 1;
                 }
                 let alphas = Tile::alphas(start..column, |column| pixel(column).map_or(0, |(_, alpha)| alpha));
-                blended.blend.run(target, place, colour, alphas.iter().copied())?;
+                blended.blend.run(target, place, colour, &alphas)?;
             }
         }
     }

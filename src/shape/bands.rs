@@ -10,7 +10,9 @@
 use core::ops::Range;
 
 use crate::{
-    coverage::{Cells, CoverageSink, Crossings, FULL, Ramp, Runs, Steepness, column_of, height_of},
+    coverage::{
+        Cells, CoverageSink, Crossings, Extent, FULL, Ramp, Runs, Steepness, column_of, height_of, send_between,
+    },
     limits::ONE,
     shape::{active::CoverageEdge, outline::FillRule},
 };
@@ -34,7 +36,7 @@ impl CoverageEdge {
         } else {
             self.edge.steepness
         };
-        Ramp::between(from, to, height, steepness)
+        Ramp::new(Extent::between(from, to), height, steepness)
     }
 }
 
@@ -157,20 +159,39 @@ pub(super) fn send_row<S: CoverageSink>(
 ) -> Result<bool, S::Error> {
     let mut before = i64::MIN;
     let mut last = columns.start;
+    let mut share_columns = false;
     for edge in &*edges {
         let (from, to) = (edge.edge.position(), edge.below_by::<false>(ONE));
         let first = column_of(from.min(to));
         // Farther right than all of the edge before, it cannot have crossed it.
-        if first <= last && (first < last || to + SLACK < before) {
-            return Ok(false);
+        if first <= last {
+            if first < last || to + SLACK < before {
+                return Ok(false);
+            }
+            share_columns |= before != i64::MIN;
         }
         (before, last) = (to, column_of(from.max(to)));
     }
     if last >= columns.end {
         return Ok(false);
     }
-    runs.start(row);
     let mut winding = Winding::new(fill_rule);
+    if !share_columns {
+        let mut left = None;
+        for edge in edges {
+            let sign = winding.cross(edge.winding());
+            let (from, to) = (edge.edge.position(), edge.below_by::<false>(ONE));
+            edge.edge.move_to(to);
+            let side = (Extent::between(from, to), edge.edge.steepness);
+            match (sign, left.take()) {
+                (1, _) => left = Some(side),
+                (-1, Some(left)) => send_between(row, left, side, runs)?,
+                (_, kept) => left = kept,
+            }
+        }
+        return Ok(true);
+    }
+    runs.start(row);
     let mut crossings = Crossings::new();
     for edge in edges {
         let sign = winding.cross(edge.winding());

@@ -160,6 +160,33 @@ impl CoverageSink for CheckedCoverage {
     }
 }
 
+/// Is sent eights; they are taken apart into runs and spans, and checked like those.
+struct InEights(CheckedCoverage);
+
+impl CoverageSink for InEights {
+    type Error = Infallible;
+
+    const EIGHTS: bool = true;
+
+    fn span(&mut self, span: Span, coverage: u8) -> Result<(), Infallible> {
+        self.0.span(span, coverage)
+    }
+
+    fn run(&mut self, row: i32, column: i32, coverage: &[u8]) -> Result<(), Infallible> {
+        self.0.run(row, column, coverage)
+    }
+}
+
+/// What a sink is sent, and that one that wants eights is sent the same.
+fn drawn(shape: &impl Cover, clip: &PixelRect, window: &PixelRect, strips: bool) -> CoverageGrid {
+    let mut sink = CheckedCoverage::new(clip, window, strips);
+    let Ok(()) = shape.coverage(clip, &mut sink);
+    let mut eights = InEights(CheckedCoverage::new(clip, window, strips));
+    let Ok(()) = shape.coverage(clip, &mut eights);
+    check_same_coverage(&eights.0.grid, &sink.grid, || "in eights".to_owned());
+    sink.grid
+}
+
 /// The coverage that a shape sends, rows downwards.
 pub(crate) fn coverage(shape: &impl Cover, clip: &PixelRect) -> CoverageGrid {
     coverage_within(shape, clip, clip)
@@ -167,9 +194,7 @@ pub(crate) fn coverage(shape: &impl Cover, clip: &PixelRect) -> CoverageGrid {
 
 /// The same for a clip too large to count in: all pixels must lie in `window`.
 pub(crate) fn coverage_within(shape: &impl Cover, clip: &PixelRect, window: &PixelRect) -> CoverageGrid {
-    let mut sink = CheckedCoverage::new(clip, window, false);
-    let Ok(()) = shape.coverage(clip, &mut sink);
-    sink.grid
+    drawn(shape, clip, window, false)
 }
 
 /// The same from a shape that may send vertical strips.
@@ -179,9 +204,7 @@ pub(crate) fn coverage_in_strips(shape: &impl Cover, clip: &PixelRect) -> Covera
 
 /// The same for a clip too large to count in.
 pub(crate) fn coverage_in_strips_within(shape: &impl Cover, clip: &PixelRect, window: &PixelRect) -> CoverageGrid {
-    let mut sink = CheckedCoverage::new(clip, window, true);
-    let Ok(()) = shape.coverage(clip, &mut sink);
-    sink.grid
+    drawn(shape, clip, window, true)
 }
 
 /// The polygon in scratch of exactly the size it asks for and a cell for each column that it can have in the clip.

@@ -4,7 +4,7 @@ use std::{convert::Infallible, ops::Range};
 
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 use spanfill::{
-    AntiAlias, Cell, Circle, Cover, CoverageEdge, CoverageSink, Line, Mix, Over, PixelRect, Polygon, ReadBack,
+    AntiAlias, Cell, Circle, Cover, CoverageEdge, CoverageSink, InPlace, Line, Mix, Over, PixelRect, Polygon,
     SampleCell, SampleEdge, Span, Triangle, Vertex,
 };
 
@@ -139,7 +139,7 @@ impl FigureVisitor for OverFrame {
         impl CoverVisitor for Blend<'_> {
             #[inline]
             fn visit(self, cover: impl Cover) {
-                let Ok(()) = cover.antialiased(COLOUR, ReadBack).draw_on(self.0);
+                let Ok(()) = cover.antialiased(COLOUR, InPlace).draw_on(self.0);
             }
         }
 
@@ -234,7 +234,7 @@ impl FigureVisitor for Replay {
             recording
         });
         On::boxed(Box::new(Frame::new()), recorded.collect(), |recording: &Recording, frame: &mut Box<Frame>| {
-            let Ok(()) = Replayed(recording).antialiased(COLOUR, ReadBack).draw_on(&mut **frame);
+            let Ok(()) = Replayed(recording).antialiased(COLOUR, InPlace).draw_on(&mut **frame);
         })
     }
 }

@@ -3,7 +3,7 @@
 use core::{mem::take, ops::Range};
 
 use crate::coverage::{
-    CoverageSink,
+    CoverageSink, eights,
     ramp::{Ramp, coverage_of},
     runs::Runs,
 };
@@ -51,6 +51,9 @@ pub(super) fn send_ramps<S: CoverageSink>(
             change(ramp.last_area);
         }
         change(ramp.height);
+    }
+    if S::EIGHTS {
+        return eights::send_changes(row, start..end, changes, runs.sink);
     }
     let mut area = 0_u32;
     let length = (end - start).cast_unsigned() as usize;

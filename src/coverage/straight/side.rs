@@ -1,9 +1,7 @@
 //! The edges of a side, from their upper ends down.
 
-use core::ops::RangeInclusive;
-
 use crate::coverage::{
-    ramp::{Ramp, height_in},
+    ramp::{Extent, Ramp, Steep, height_in},
     slope::{Slope, Steepness, high_word},
 };
 
@@ -27,41 +25,23 @@ pub(super) struct Rise {
     mantissa: u32,
     up: u32,
     down: u32,
+    steepness: Steepness,
 }
 
-impl Rise {
-    /// How far down for a width.
+impl Steep for Rise {
     #[inline(always)]
-    pub(super) fn of(&self, across: u32) -> u32 {
+    fn down(self, across: u32) -> u32 {
         high_word(across << self.up, self.mantissa) >> self.down
     }
 
-    /// The same for a pixel, of an edge that crosses one within a row.
     #[inline(always)]
-    pub(super) fn of_a_pixel(&self) -> u32 {
+    fn down_a_pixel(self) -> u32 {
         self.mantissa >> self.down
     }
 
-    /// The areas of an edge that crosses `columns`, from so far into the first to so far into the last.
     #[inline(always)]
-    pub(super) fn ramp(&self, columns: RangeInclusive<i32>, left: u32, right: u32, height: u32) -> Ramp {
-        let (first, last) = (*columns.start(), *columns.end());
-        if first == last {
-            return Ramp::in_column(first, height, height - high_word(height, (left >> 1) + (right >> 1)));
-        }
-        let down = self.of(!left).min(height);
-        let (rest, step) =
-            if first + 1 == last { (height - down, 0) } else { (self.of(right).min(height), self.of_a_pixel()) };
-        Ramp {
-            first,
-            last,
-            height,
-            first_area: high_word(!left, down) >> 1,
-            last_area: height - (high_word(right, rest) >> 1),
-            second_area: down + (step >> 1),
-            step,
-            steepness: Steepness::NONE,
-        }
+    fn steepness(self) -> Steepness {
+        self.steepness
     }
 }
 
@@ -71,7 +51,7 @@ impl<const BITS: u32> Straight<BITS> {
     pub(crate) fn new(from: (i64, i32), to: (i64, i32), dx: i32, dy: u32) -> Self {
         let slope = Slope::directed(0, dx, dy);
         let (mantissa, up, down) = slope.steepness.shifts();
-        let rise = Rise { mantissa, up, down };
+        let rise = Rise { mantissa, up, down, steepness: slope.steepness };
         Self { position: from.0, step: slope.step(), y: from.1, until: to.1, end: to.0, rise }
     }
 
@@ -80,7 +60,8 @@ impl<const BITS: u32> Straight<BITS> {
     pub(super) fn ramp(&self, to: i64, height: u32) -> Ramp {
         // Compared, as corners of lines are rounded, and may be on the other side of a steep one.
         let (from, to) = (self.position.min(to), self.position.max(to));
-        self.rise.ramp(upper(from)..=upper(to), lower(from), lower(to), height)
+        let extent = Extent { first: upper(from), last: upper(to), left: lower(from), right: lower(to) };
+        Ramp::new(extent, height, self.rise)
     }
 
     #[inline(always)]

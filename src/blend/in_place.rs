@@ -1,0 +1,94 @@
+//! Over what the target's memory holds.
+
+use core::hint::black_box;
+
+use embedded_graphics_core::geometry::Point;
+
+use crate::{
+    blend::{Blend, Mix, lanes::fill},
+    target::PixelRows,
+};
+
+/// Blends over what is there, in the memory of the target: [`ReadBack`](crate::ReadBack) for targets that have
+/// [`PixelRows`], to the same pixels, in less time.
+///
+/// ```text
+///   shown before    a   a   b    b    b
+///   coverage        0   64  191  255  255
+///   InPlace         a   a+  b+   #    #        a+, b+ mixed with what was there, # the colour itself
+/// ```
+///
+/// # Cost
+///
+/// A row is looked up once for each run and span. Where registers have 64 bits, pixels at the edges are mixed eight at a time
+/// ([`Mix::over_eight`]), four on either side of a span; elsewhere one by one.
+///
+/// # Examples
+///
+/// See [`PixelRows`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub struct InPlace;
+
+impl<C: Mix, D: PixelRows<Color = C>> Blend<D> for InPlace {
+    /// Eight narrow colours fill a register of 128 bits; a microcontroller would mix them one by one.
+    const EIGHTS: bool = cfg!(target_pointer_width = "64");
+
+    #[inline]
+    fn run(&self, target: &mut D, start: Point, colour: C, alphas: &[u8]) -> Result<(), D::Error> {
+        if let Some(row) = target.row_from(start) {
+            mix(row, colour, alphas);
+        }
+        Ok(())
+    }
+
+    #[inline]
+    fn eight(&self, target: &mut D, start: Point, colour: C, alphas: &[u8; 8]) -> Result<(), D::Error> {
+        if let Some(row) = target.row_from(start) {
+            match row.first_chunk_mut() {
+                Some(pixels) => colour.over_eight(pixels, alphas),
+                None => mix(row, colour, alphas),
+            }
+        }
+        Ok(())
+    }
+
+    #[inline]
+    fn span_with_sides(
+        &self,
+        target: &mut D,
+        start: Point,
+        width: u32,
+        colour: C,
+        sides: &[u8; 8],
+    ) -> Result<(), D::Error> {
+        let row = target.row_from(start);
+        let width = usize::try_from(width).unwrap_or(usize::MAX);
+        if let Some(row) = row.and_then(|row| row.get_mut(..width))
+            && let [a, b, c, d, inside @ .., e, f, g, h] = row
+        {
+            let mut eight = [*a, *b, *c, *d, *e, *f, *g, *h];
+            colour.over_eight(&mut eight, sides);
+            [*a, *b, *c, *d, *e, *f, *g, *h] = eight;
+            fill(inside, colour);
+        }
+        Ok(())
+    }
+
+    #[inline]
+    fn fill(&self, target: &mut D, start: Point, width: u32, colour: C) -> Result<(), D::Error> {
+        if let Some(row) = target.row_from(start) {
+            let width = usize::try_from(width).map_or(row.len(), |width| width.min(row.len()));
+            fill(row.get_mut(..width).unwrap_or_default(), colour);
+        }
+        Ok(())
+    }
+}
+
+#[inline(always)]
+fn mix<C: Mix>(row: &mut [C], colour: C, alphas: &[u8]) {
+    for (pixel, &alpha) in row.iter_mut().zip(alphas) {
+        // See `ReadBack`: runs are too short to be unrolled.
+        black_box(());
+        *pixel = colour.over(*pixel, alpha);
+    }
+}

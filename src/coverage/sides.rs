@@ -1,0 +1,135 @@
+//! The pixels of one edge that crosses a row of pixels from top to bottom, and shares none of them with another.
+//!
+//! ```text
+//!        left          right
+//!     |   /#|###|###|###\   |
+//!     |  /##|###|###|####\  |        runs of one or two pixels, and a span between them
+//!     | /###|###|###|#####\ |
+//! ```
+//!
+//! A sink that takes eights gets the pixels of the inside, too, that fill them up.
+
+use crate::{
+    coverage::{
+        CoverageSink, eights,
+        ramp::{Extent, FULL, Ramp, Steep, coverage_of},
+        runs::{RUN, Runs},
+    },
+    span::Span,
+};
+
+/// Sends what lies between two edges.
+#[inline(always)]
+pub(crate) fn send_between<S: CoverageSink>(
+    row: i32,
+    left: (Extent, impl Steep),
+    right: (Extent, impl Steep),
+    runs: &mut Runs<'_, S>,
+) -> Result<(), S::Error> {
+    if S::EIGHTS {
+        let (left, right) = ((left.0, left.1.steepness()), (right.0, right.1.steepness()));
+        return eights::send_between(row, left, right, runs.sink);
+    }
+    let inside = send_left(row, left.0, left.1, right.0.first, runs)?;
+    send_right(row, right.0, right.1, inside, runs)
+}
+
+/// Sends what an edge leaves of its pixels; after it is the inside, as far as `end`. Where that goes on is returned.
+#[inline(always)]
+pub(crate) fn send_left<S: CoverageSink>(
+    row: i32,
+    extent: Extent,
+    steep: impl Steep,
+    end: i32,
+    runs: &mut Runs<'_, S>,
+) -> Result<i32, S::Error> {
+    if S::EIGHTS {
+        return eights::send_left(row, extent, steep.steepness(), end, runs.sink);
+    }
+    send_side::<false, S>(row, &Ramp::new(extent, FULL, steep), runs)?;
+    Ok(extent.last + 1)
+}
+
+/// Sends the inside, from `inside` on, and what an edge takes of its pixels.
+#[inline(always)]
+pub(crate) fn send_right<S: CoverageSink>(
+    row: i32,
+    extent: Extent,
+    steep: impl Steep,
+    inside: i32,
+    runs: &mut Runs<'_, S>,
+) -> Result<(), S::Error> {
+    if S::EIGHTS {
+        return eights::send_right(row, extent, steep.steepness(), inside, runs.sink);
+    }
+    if inside < extent.first {
+        runs.sink.span(Span { row, columns: inside..extent.first }, 255)?;
+    }
+    send_side::<true, S>(row, &Ramp::new(extent, FULL, steep), runs)
+}
+
+#[inline(always)]
+fn send_side<const IS_RIGHT: bool, S: CoverageSink>(
+    row: i32,
+    ramp: &Ramp,
+    runs: &mut Runs<'_, S>,
+) -> Result<(), S::Error> {
+    let Runs { sink, coverage: run, .. } = runs;
+    let coverage = |area: u32| coverage_of(if IS_RIGHT { FULL.wrapping_sub(area) } else { area });
+    let (first, last) = (ramp.first, ramp.last);
+    let (first_coverage, last_coverage) = (coverage(ramp.first_area), coverage(ramp.last_area));
+    if first == last {
+        return send_run::<IS_RIGHT, S>(row, first, &[first_coverage], sink);
+    }
+    if first + 1 == last {
+        return send_run::<IS_RIGHT, S>(row, first, &[first_coverage, last_coverage], sink);
+    }
+    let mut area = ramp.second_area;
+    let mut column = first;
+    // How many there are left between the first and the last.
+    let mut between = last.wrapping_sub(first).wrapping_sub(1).cast_unsigned() as usize;
+    let mut start = 1;
+    run[0] = first_coverage;
+    loop {
+        let length = between.min(RUN - 1 - start);
+        for slot in run.get_mut(start..start + length).unwrap_or_default() {
+            *slot = coverage(area);
+            area = area.wrapping_add(ramp.step);
+        }
+        between -= length;
+        let mut end = start + length;
+        if between == 0 {
+            if let Some(slot) = run.get_mut(end) {
+                *slot = last_coverage;
+            }
+            end += 1;
+        }
+        send_run::<IS_RIGHT, S>(row, column, run.get(..end).unwrap_or_default(), sink)?;
+        if between == 0 {
+            return Ok(());
+        }
+        column = column.wrapping_add_unsigned(u32::try_from(end).unwrap_or(0));
+        start = 0;
+    }
+}
+
+/// A run that may begin with zeros, on the left, or end with them, on the right.
+#[inline(always)]
+fn send_run<const IS_RIGHT: bool, S: CoverageSink>(
+    row: i32,
+    mut column: i32,
+    mut run: &[u8],
+    sink: &mut S,
+) -> Result<(), S::Error> {
+    if IS_RIGHT {
+        while let [rest @ .., 0] = run {
+            run = rest;
+        }
+    } else {
+        while let [0, rest @ ..] = run {
+            run = rest;
+            column += 1;
+        }
+    }
+    if run.is_empty() { Ok(()) } else { sink.run(row, column, run) }
+}

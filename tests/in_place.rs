@@ -1,0 +1,159 @@
+//! Blending in a target's memory, eight pixels at a time: the pixels are those that are mixed one by one.
+
+use std::convert::Infallible;
+
+use embedded_graphics::{
+    image::GetPixel,
+    pixelcolor::{
+        Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666, Rgb888, raw::RawData,
+    },
+    prelude::*,
+    primitives::Rectangle,
+};
+use spanfill::{Blend, Circle, Cover, InPlace, Line, Mix, PixelRows, ReadBack, Triangle, Vertex, prelude::*};
+
+/// A frame, or a part of a screen, with a border of pixels that must stay as they are.
+#[derive(Debug, Clone, PartialEq)]
+struct Memory<C> {
+    area: Rectangle,
+    pixels: Vec<C>,
+}
+
+const BORDER: usize = 9;
+
+impl<C: PixelColor> Memory<C> {
+    fn new(area: Rectangle, colour: impl Fn(u32) -> C) -> Self {
+        let stride = area.size.width as usize + 2 * BORDER;
+        let pixels = (0..(stride * area.size.height as usize) as u32).map(colour).collect();
+        Self { area, pixels }
+    }
+
+    fn index(&self, point: Point) -> Option<usize> {
+        let stride = self.area.size.width as usize + 2 * BORDER;
+        self.area.contains(point).then(|| {
+            let place = point - self.area.top_left;
+            place.y as usize * stride + BORDER + place.x as usize
+        })
+    }
+}
+
+impl<C> Dimensions for Memory<C> {
+    fn bounding_box(&self) -> Rectangle {
+        self.area
+    }
+}
+
+impl<C: PixelColor> DrawTarget for Memory<C> {
+    type Color = C;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        for Pixel(point, colour) in pixels {
+            let index = self.index(point).expect("nothing is drawn outside");
+            self.pixels[index] = colour;
+        }
+        Ok(())
+    }
+}
+
+impl<C: PixelColor> GetPixel for Memory<C> {
+    type Color = C;
+
+    fn pixel(&self, point: Point) -> Option<C> {
+        self.index(point).map(|index| self.pixels[index])
+    }
+}
+
+impl<C: PixelColor> PixelRows for Memory<C> {
+    fn row_from(&mut self, start: Point) -> Option<&mut [C]> {
+        let index = self.index(start)?;
+        let width = self.area.top_left.x + self.area.size.width as i32 - start.x;
+        Some(&mut self.pixels[index..index + width as usize])
+    }
+}
+
+/// Colours that differ in all their bits.
+fn raw(number: u32) -> u32 {
+    number.wrapping_mul(0x9E37_79B9).rotate_left(13) ^ number
+}
+
+/// Every alpha in every lane, over many backdrops.
+#[test]
+fn eight_colours_are_mixed_as_each_by_itself() {
+    macro_rules! check {
+        ($($colour:ident)+) => {
+            $({
+                let colour = |number: u32| $colour::from(<$colour as PixelColor>::Raw::from_u32(raw(number)));
+                for (top, bottom) in (0..40).flat_map(|top| (0..40).map(move |bottom| (top, 1000 + 8 * bottom))) {
+                    let top = colour(top);
+                    let backdrops: [$colour; 8] = std::array::from_fn(|lane| colour(bottom + lane as u32));
+                    for alpha in 0..=255_u8 {
+                        let alphas: [u8; 8] = std::array::from_fn(|lane| alpha.wrapping_add(37 * (lane % 5) as u8));
+                        let mut mixed = backdrops;
+                        top.over_eight(&mut mixed, &alphas);
+                        let expected: [$colour; 8] =
+                            std::array::from_fn(|lane| top.over(backdrops[lane], alphas[lane]));
+                        assert_eq!(mixed, expected, "{top:?} over {backdrops:?} by {alphas:?}");
+                    }
+                }
+            })+
+        };
+    }
+    check!(Rgb555 Bgr555 Rgb565 Bgr565 Rgb666 Bgr666 Rgb888 Bgr888 Gray2 Gray4 Gray8 BinaryColor);
+}
+
+fn check_alike(shape: &(impl Cover + Clone), area: Rectangle, opacity: u8) -> bool {
+    let before = Memory::new(area, |index| Rgb565::from(<Rgb565 as PixelColor>::Raw::from_u32(raw(index))));
+    let (mut in_place, mut read_back) = (before.clone(), before.clone());
+    let drawn = shape.clone().antialiased(Rgb565::new(29, 11, 3), InPlace).opacity(opacity);
+    let Ok(()) = drawn.draw_on(&mut in_place);
+    let Ok(()) = shape.clone().antialiased(Rgb565::new(29, 11, 3), ReadBack).opacity(opacity).draw_on(&mut read_back);
+    assert!(in_place == read_back, "{area:?}, opacity {opacity}: {:?}", shape.touched());
+    in_place != before
+}
+
+/// Where a clip cuts a shape, where fewer than eight pixels are left of a row, and where the target is that narrow itself.
+#[test]
+fn a_shape_in_memory_is_the_one_that_is_read_back() {
+    let mut seen = 0;
+    for width in [1, 2, 3, 5, 7, 8, 9, 12, 16, 17, 31, 64] {
+        for (left, top) in [(0, 0), (-3, 5), (40, -20)] {
+            let area = Rectangle::new(Point::new(left, top), Size::new(width, 24));
+            for step in 0..60 {
+                let at = |x: i32, y: i32| Vertex::from_bits((left * 256) + x, (top * 256) + y);
+                let far = 97 * step;
+                let triangle = Triangle::new(at(far - 900, -300), at(2 * far, 2000 + far), at(300, 7000 - far));
+                let thin = Triangle::new(at(far, 10), at(far + 300, 5900), at(far + 500, 5000));
+                let circle = Circle::new(at(far, 3000), spanfill::I24F8::from_bits(100 + 43 * step));
+                let line = Line::new(at(far - 500, 100), at(4000 - far, 6000));
+                for opacity in [255, 128, 3] {
+                    seen += usize::from(check_alike(&triangle, area, opacity));
+                    seen += usize::from(check_alike(&thin, area, opacity));
+                    seen += usize::from(check_alike(&circle, area, opacity));
+                    seen += usize::from(check_alike(&line, area, opacity));
+                }
+            }
+        }
+    }
+    assert!(seen > 10_000, "only {seen} shapes were seen");
+}
+
+/// Runs and spans that leave the row are cut, as everywhere.
+#[test]
+fn what_leaves_the_row_is_cut() {
+    let area = Rectangle::new(Point::new(2, 3), Size::new(6, 2));
+    let black = Memory::new(area, |_| Gray8::BLACK);
+    let mut memory = black.clone();
+    let draw = |memory: &mut Memory<Gray8>, x: i32, y: i32| {
+        let Ok(()) = InPlace.eight(memory, Point::new(x, y), Gray8::WHITE, &[9; 8]);
+        let Ok(()) = InPlace.run(memory, Point::new(x, y), Gray8::WHITE, &[9; 20]);
+        let Ok(()) = InPlace.fill(memory, Point::new(x, y), 100, Gray8::WHITE);
+    };
+    for (x, y) in [(1, 3), (8, 3), (2, 2), (2, 5), (i32::MIN, 3), (i32::MAX, 4)] {
+        draw(&mut memory, x, y);
+        assert_eq!(memory, black, "({x}, {y}) is outside");
+    }
+    draw(&mut memory, 5, 4);
+    let white = memory.pixels.iter().filter(|pixel| **pixel == Gray8::WHITE).count();
+    assert_eq!(white, 3);
+}
