@@ -19,7 +19,7 @@ pub(crate) struct Straight<const BITS: u32> {
     pub(super) rise: Rise,
 }
 
-/// How steep an edge is: see [`Steepness::shifts`].
+/// How steep an edge is, to be multiplied by words where registers have 32 bits: see [`Steepness::shifts`].
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rise {
     mantissa: u32,
@@ -28,15 +28,35 @@ pub(super) struct Rise {
     steepness: Steepness,
 }
 
-impl Steep for Rise {
+const HAS_WIDE_REGISTERS: bool = cfg!(target_pointer_width = "64");
+
+impl Rise {
     #[inline(always)]
-    fn down(self, across: u32) -> u32 {
+    fn new(steepness: Steepness) -> Self {
+        let (mantissa, up, down) = steepness.shifts();
+        Self { mantissa, up, down, steepness }
+    }
+
+    #[inline(always)]
+    fn down_in_words(self, across: u32) -> u32 {
         high_word(across << self.up, self.mantissa) >> self.down
     }
 
     #[inline(always)]
-    fn down_a_pixel(self) -> u32 {
+    fn down_a_pixel_in_words(self) -> u32 {
         self.mantissa >> self.down
+    }
+}
+
+impl Steep for Rise {
+    #[inline(always)]
+    fn down(self, across: u32) -> u32 {
+        if HAS_WIDE_REGISTERS { self.steepness.down(across) } else { self.down_in_words(across) }
+    }
+
+    #[inline(always)]
+    fn down_a_pixel(self) -> u32 {
+        if HAS_WIDE_REGISTERS { self.steepness.down_a_pixel() } else { self.down_a_pixel_in_words() }
     }
 
     #[inline(always)]
@@ -50,8 +70,7 @@ impl<const BITS: u32> Straight<BITS> {
     #[inline(always)]
     pub(crate) fn new(from: (i64, i32), to: (i64, i32), dx: i32, dy: u32) -> Self {
         let slope = Slope::directed(0, dx, dy);
-        let (mantissa, up, down) = slope.steepness.shifts();
-        let rise = Rise { mantissa, up, down, steepness: slope.steepness };
+        let rise = Rise::new(slope.steepness);
         Self { position: from.0, step: slope.step(), y: from.1, until: to.1, end: to.0, rise }
     }
 
@@ -146,4 +165,28 @@ pub(super) fn lower(position: i64) -> u32 {
     #[allow(clippy::cast_sign_loss, reason = "bits")]
     let lower = position as u32;
     lower
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Boards multiply words where hosts multiply all at once: both find the same heights, for every width that an edge can
+    /// have in a row.
+    #[test]
+    fn words_are_multiplied_to_the_same_heights() {
+        let lengths = || (1..=22).flat_map(|bits| [(1_u32 << bits) - 1, 1 << bits, (1 << bits) / 3 * 2 + 1]);
+        for (dx, dy) in lengths().flat_map(|dx| lengths().map(move |dy| (dx, dy))) {
+            let slope = Slope::directed(0, dx.cast_signed(), dy);
+            let rise = Rise::new(slope.steepness);
+            // In 2^-32 pixel: what it crosses in a row, if that is less than a pixel.
+            let widest = u32::try_from((u64::from(dx) << 32) / u64::from(dy)).unwrap_or(u32::MAX);
+            for across in (0..32).map(|bits| widest >> bits).chain((1..100).map(|part| widest / 100 * part)) {
+                assert_eq!(rise.down_in_words(across), slope.steepness.down(across), "{dx} / {dy}: {across}");
+            }
+            if dx >= dy {
+                assert_eq!(rise.down_a_pixel_in_words(), slope.steepness.down_a_pixel(), "{dx} / {dy}");
+            }
+        }
+    }
 }
