@@ -79,10 +79,10 @@ impl GetPixel for Display {
     }
 }
 
-/// Sinks that can fail.
-struct Sink;
+/// Sinks that can fail. That for coverage may be sent eights, which the library's own blending only wants on hosts.
+struct Sink<const EIGHTS: bool>;
 
-impl SpanSink for Sink {
+impl SpanSink for Sink<false> {
     type Error = u8;
 
     fn span(&mut self, span: Span) -> Result<(), u8> {
@@ -91,7 +91,7 @@ impl SpanSink for Sink {
     }
 }
 
-impl BlockSink for Sink {
+impl BlockSink for Sink<false> {
     type Error = u8;
 
     fn block(&mut self, rows: core::ops::Range<i32>, columns: core::ops::Range<i32>) -> Result<(), u8> {
@@ -100,27 +100,10 @@ impl BlockSink for Sink {
     }
 }
 
-impl CoverageSink for Sink {
+impl<const EIGHTS: bool> CoverageSink for Sink<EIGHTS> {
     type Error = u8;
 
-    fn span(&mut self, span: Span, coverage: u8) -> Result<(), u8> {
-        black_box((span, coverage));
-        black_box(Ok(()))
-    }
-
-    fn run(&mut self, row: i32, column: i32, coverage: &[u8]) -> Result<(), u8> {
-        black_box((row, column, coverage));
-        black_box(Ok(()))
-    }
-}
-
-/// One that is sent eights, which the library's own blending only wants on hosts.
-struct Eights;
-
-impl CoverageSink for Eights {
-    type Error = u8;
-
-    const EIGHTS: bool = true;
+    const EIGHTS: bool = EIGHTS;
 
     fn span(&mut self, span: Span, coverage: u8) -> Result<(), u8> {
         black_box((span, coverage));
@@ -142,8 +125,8 @@ impl PixelRows for Display {
 
 fn push(shape: impl Shape, clip: &PixelRect, display: &mut Display) {
     black_box(shape.bounds());
-    let _ = black_box(shape.spans(clip, &mut Sink));
-    let _ = black_box(shape.blocks(clip, &mut Sink));
+    let _ = black_box(shape.spans(clip, &mut Sink::<false>));
+    let _ = black_box(shape.blocks(clip, &mut Sink::<false>));
     let filled = shape.filled(Rgb565::RED);
     black_box(filled.bounding_box());
     let Ok(()) = filled.draw(display);
@@ -152,8 +135,8 @@ fn push(shape: impl Shape, clip: &PixelRect, display: &mut Display) {
 /// Everything that a coverage can be asked, and blended in every way there is.
 fn cover(shape: &impl Cover, clip: &PixelRect, display: &mut Display) {
     black_box(shape.touched());
-    let _ = black_box(shape.coverage(clip, &mut Sink));
-    let _ = black_box(shape.coverage(clip, &mut Eights));
+    let _ = black_box(shape.coverage(clip, &mut Sink::<false>));
+    let _ = black_box(shape.coverage(clip, &mut Sink::<true>));
     let background = Over(black_box(Rgb565::BLUE));
     let drawable = Borrowed(shape).antialiased(black_box(Rgb565::RED), background);
     black_box(drawable.bounding_box());
@@ -164,6 +147,10 @@ fn cover(shape: &impl Cover, clip: &PixelRect, display: &mut Display) {
     blend(shape, ReadBack, display);
     blend(shape, Linear(ReadBack), display);
     blend(shape, InPlace, display);
+    let (start, sides) = (black_box(Point::zero()), black_box([0; 8]));
+    let Ok(()) = InPlace.eight(display, start, Rgb565::RED, &sides);
+    let Ok(()) = InPlace.span_with_sides(display, start, black_box(0), Rgb565::RED, &sides);
+    let Ok(()) = Blend::span_with_sides(&ReadBack, display, start, black_box(0), Rgb565::RED, &sides);
 }
 
 fn blend(shape: &impl Cover, blend: impl Blend<Display>, display: &mut Display) {

@@ -1,10 +1,11 @@
 //! Mixing two colours, channel by channel, two channels to a multiplication.
 
-use crate::blend::lanes::{narrow_lane, wide_lane};
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, IntoStorage, PixelColor, Rgb555, Rgb565, Rgb666,
     Rgb888, raw::RawData,
 };
+
+use crate::blend::lanes::{narrow_lane, wide_lane};
 
 /// A colour that can be mixed with another: every colour of embedded-graphics, and others by implementing it.
 ///

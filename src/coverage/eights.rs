@@ -81,9 +81,9 @@ pub(super) fn send_between<S: CoverageSink>(
     send_right(row, right.0, right.1, inside, sink)
 }
 
-/// See `sides`.
+/// Sends what an edge leaves of its pixels; after it is the inside, as far as `end`. Where that goes on is returned.
 #[inline(never)]
-pub(super) fn send_left<S: CoverageSink>(
+fn send_left<S: CoverageSink>(
     row: i32,
     extent: Extent,
     steepness: Steepness,
@@ -112,9 +112,9 @@ pub(super) fn send_left<S: CoverageSink>(
     }
 }
 
-/// See `sides`.
+/// Sends the inside, from `inside` on, and what an edge takes of its pixels.
 #[inline(never)]
-pub(super) fn send_right<S: CoverageSink>(
+fn send_right<S: CoverageSink>(
     row: i32,
     extent: Extent,
     steepness: Steepness,

@@ -71,7 +71,7 @@ pub(crate) trait Steep: Copy {
     /// For a pixel, of an edge that crosses one within a row.
     fn down_a_pixel(self) -> u32;
 
-    /// For any number of pixels, of an edge that may cross more than [`STEPPED`].
+    /// For any number of pixels.
     fn steepness(self) -> Steepness;
 }
 
@@ -167,7 +167,7 @@ impl Ramp {
 
 /// One of two, without a jump.
 #[inline(always)]
-pub(crate) fn select(condition: bool, yes: u32, no: u32) -> u32 {
+fn select(condition: bool, yes: u32, no: u32) -> u32 {
     let mask = u32::from(condition).wrapping_neg();
     no ^ ((yes ^ no) & mask)
 }

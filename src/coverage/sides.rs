@@ -1,4 +1,4 @@
-//! The pixels of one edge that crosses a row of pixels from top to bottom, and shares none of them with another.
+//! A row of pixels between two edges that cross it from top to bottom, and share none of its columns.
 //!
 //! ```text
 //!        left          right
@@ -18,7 +18,7 @@ use crate::{
     span::Span,
 };
 
-/// Sends what lies between two edges.
+/// Sends what lies between two edges, each with where it is in the row and how steep it is.
 #[inline(always)]
 pub(crate) fn send_between<S: CoverageSink>(
     row: i32,
@@ -30,44 +30,15 @@ pub(crate) fn send_between<S: CoverageSink>(
         let (left, right) = ((left.0, left.1.steepness()), (right.0, right.1.steepness()));
         return eights::send_between(row, left, right, runs.sink);
     }
-    let inside = send_left(row, left.0, left.1, right.0.first, runs)?;
-    send_right(row, right.0, right.1, inside, runs)
+    send_side::<false, S>(row, &Ramp::new(left.0, FULL, left.1), runs)?;
+    let inside = left.0.last + 1..right.0.first;
+    if inside.start < inside.end {
+        runs.sink.span(Span { row, columns: inside }, 255)?;
+    }
+    send_side::<true, S>(row, &Ramp::new(right.0, FULL, right.1), runs)
 }
 
-/// Sends what an edge leaves of its pixels; after it is the inside, as far as `end`. Where that goes on is returned.
-#[inline(always)]
-pub(crate) fn send_left<S: CoverageSink>(
-    row: i32,
-    extent: Extent,
-    steep: impl Steep,
-    end: i32,
-    runs: &mut Runs<'_, S>,
-) -> Result<i32, S::Error> {
-    if S::EIGHTS {
-        return eights::send_left(row, extent, steep.steepness(), end, runs.sink);
-    }
-    send_side::<false, S>(row, &Ramp::new(extent, FULL, steep), runs)?;
-    Ok(extent.last + 1)
-}
-
-/// Sends the inside, from `inside` on, and what an edge takes of its pixels.
-#[inline(always)]
-pub(crate) fn send_right<S: CoverageSink>(
-    row: i32,
-    extent: Extent,
-    steep: impl Steep,
-    inside: i32,
-    runs: &mut Runs<'_, S>,
-) -> Result<(), S::Error> {
-    if S::EIGHTS {
-        return eights::send_right(row, extent, steep.steepness(), inside, runs.sink);
-    }
-    if inside < extent.first {
-        runs.sink.span(Span { row, columns: inside..extent.first }, 255)?;
-    }
-    send_side::<true, S>(row, &Ramp::new(extent, FULL, steep), runs)
-}
-
+/// Sends what the left edge leaves of its pixels, or what the right one takes of its own.
 #[inline(always)]
 fn send_side<const IS_RIGHT: bool, S: CoverageSink>(
     row: i32,

@@ -11,7 +11,7 @@ use embedded_graphics_core::{
 use crate::{
     PixelRect,
     blend::{Blend, Dither, Linear, Mix, MixLinear, Over, PIECE, right_of},
-    coverage::CoverageSink,
+    coverage::{CoverageSink, send_apart},
     shape::Cover,
     span::Span,
 };
@@ -227,27 +227,6 @@ fn eight_faded<D: DrawTarget, B: Blend<D>>(
     blend.eight(target, start, colour, &coverage.map(|coverage| faded(coverage, opacity)))
 }
 
-/// The same for a span with sides.
-#[inline(never)]
-fn span_with_sides_faded<D: DrawTarget, B: Blend<D>>(
-    blend: B,
-    target: &mut D,
-    start: Point,
-    width: u32,
-    colour: D::Color,
-    sides: &[u8; 8],
-    opacity: u8,
-) -> Result<(), D::Error> {
-    let sides = sides.map(|coverage| faded(coverage, opacity));
-    let (of_left, of_right) = sides.split_at(4);
-    let (inside, width) = (right_of(start, 4), width.saturating_sub(8));
-    blend.run(target, start, colour, of_left)?;
-    if width > 0 {
-        blend.span(target, inside, width, colour, opacity)?;
-    }
-    blend.run(target, Point::new(inside.x.wrapping_add_unsigned(width), start.y), colour, of_right)
-}
-
 /// A span that is let through, or covered in part.
 #[inline(never)]
 fn span_faded<D: DrawTarget, B: Blend<D>>(
@@ -291,15 +270,12 @@ impl<D: DrawTarget, B: Blend<D>> CoverageSink for BlendedFill<'_, D, B> {
 
     #[inline]
     fn span_with_sides(&mut self, span: Span, sides: &[u8; 8]) -> Result<(), D::Error> {
-        let Self { ref mut target, blend, colour, opacity } = *self;
-        let Span { row, columns } = span;
-        let start = Point::new(columns.start, row);
-        let width = columns.end.wrapping_sub(columns.start).cast_unsigned();
-        if opacity == 255 {
-            blend.span_with_sides(target, start, width, colour, sides)
-        } else {
-            span_with_sides_faded(blend, *target, start, width, colour, sides, opacity)
+        if self.opacity < 255 {
+            return send_apart(self, span, sides);
         }
+        let Span { row, columns } = span;
+        let width = columns.end.wrapping_sub(columns.start).cast_unsigned();
+        self.blend.span_with_sides(self.target, Point::new(columns.start, row), width, self.colour, sides)
     }
 
     #[inline]
