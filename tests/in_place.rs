@@ -10,7 +10,9 @@ use embedded_graphics::{
     prelude::*,
     primitives::Rectangle,
 };
-use spanfill::{Blend, Circle, Cover, InPlace, Line, Mix, PixelRows, ReadBack, Triangle, Vertex, prelude::*};
+use spanfill::{
+    Blend, Circle, Cover, FillRule, InPlace, Line, Mix, PixelRows, Polygon, ReadBack, Triangle, Vertex, prelude::*,
+};
 
 /// A frame, or a part of a screen, with a border of pixels that must stay as they are.
 #[derive(Debug, Clone, PartialEq)]
@@ -94,6 +96,9 @@ fn eight_colours_are_mixed_as_each_by_itself() {
                         let expected: [$colour; 8] =
                             std::array::from_fn(|lane| top.over(backdrops[lane], alphas[lane]));
                         assert_eq!(mixed, expected, "{top:?} over {backdrops:?} by {alphas:?}");
+                        let mut eights = [backdrops, expected];
+                        top.over_eights(&mut eights, &[alphas, [0; 8]]);
+                        assert_eq!(eights, [expected; 2], "in eights");
                     }
                 }
             })+
@@ -126,7 +131,12 @@ fn a_shape_in_memory_is_the_one_that_is_read_back() {
                 let thin = Triangle::new(at(far, 10), at(far + 300, 5900), at(far + 500, 5000));
                 let circle = Circle::new(at(far, 3000), spanfill::I24F8::from_bits(100 + 43 * step));
                 let line = Line::new(at(far - 500, 100), at(4000 - far, 6000));
+                let outline = [at(far, 0), at(900, 5000), at(9000, 300 + far), at(-far, 2000), at(3000, 6100 - far)];
                 for opacity in [255, 128, 3] {
+                    for rule in [FillRule::NonZero, FillRule::EvenOdd] {
+                        let star = Polygon::new(&outline).fill_rule(rule).coverage_with::<8, 50>();
+                        seen += usize::from(check_alike(&star.expect("it has five edges"), area, opacity));
+                    }
                     seen += usize::from(check_alike(&triangle, area, opacity));
                     seen += usize::from(check_alike(&thin, area, opacity));
                     seen += usize::from(check_alike(&circle, area, opacity));
@@ -145,7 +155,7 @@ fn what_leaves_the_row_is_cut() {
     let black = Memory::new(area, |_| Gray8::BLACK);
     let mut memory = black.clone();
     let draw = |memory: &mut Memory<Gray8>, x: i32, y: i32| {
-        let Ok(()) = InPlace.eight(memory, Point::new(x, y), Gray8::WHITE, &[9; 8]);
+        let Ok(()) = InPlace.eights(memory, Point::new(x, y), Gray8::WHITE, &[[9; 8]; 3]);
         let Ok(()) = InPlace.run(memory, Point::new(x, y), Gray8::WHITE, &[9; 20]);
         let Ok(()) = InPlace.fill(memory, Point::new(x, y), 100, Gray8::WHITE);
     };

@@ -148,7 +148,7 @@ fn cover(shape: &impl Cover, clip: &PixelRect, display: &mut Display) {
     blend(shape, Linear(ReadBack), display);
     blend(shape, InPlace, display);
     let (start, sides) = (black_box(Point::zero()), black_box([0; 8]));
-    let Ok(()) = InPlace.eight(display, start, Rgb565::RED, &sides);
+    let Ok(()) = InPlace.eights(display, start, Rgb565::RED, &[sides, sides]);
     let Ok(()) = InPlace.span_with_sides(display, start, black_box(0), Rgb565::RED, &sides);
     let Ok(()) = Blend::span_with_sides(&ReadBack, display, start, black_box(0), Rgb565::RED, &sides);
 }

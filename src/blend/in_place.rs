@@ -21,7 +21,7 @@ use crate::{
 /// # Cost
 ///
 /// A row is looked up once for each run and span. Where registers have 64 bits, pixels at the edges are mixed eight at a time
-/// ([`Mix::over_eight`]), four on either side of a span; elsewhere one by one.
+/// ([`Mix::over_eights`]), four on either side of a span; elsewhere one by one.
 ///
 /// # Examples
 ///
@@ -36,17 +36,25 @@ impl<C: Mix, D: PixelRows<Color = C>> Blend<D> for InPlace {
     #[inline]
     fn run(&self, target: &mut D, start: Point, colour: C, alphas: &[u8]) -> Result<(), D::Error> {
         if let Some(row) = target.row_from(start) {
-            mix(row, colour, alphas);
+            match row.get_mut(..alphas.len()) {
+                Some(row) => mix(row, colour, alphas),
+                None => mix_cut(row, colour, alphas),
+            }
         }
         Ok(())
     }
 
     #[inline]
-    fn eight(&self, target: &mut D, start: Point, colour: C, alphas: &[u8; 8]) -> Result<(), D::Error> {
+    fn eights(&self, target: &mut D, start: Point, colour: C, alphas: &[[u8; 8]]) -> Result<(), D::Error> {
         if let Some(row) = target.row_from(start) {
-            match row.first_chunk_mut() {
-                Some(pixels) => colour.over_eight(pixels, alphas),
-                None => mix(row, colour, alphas),
+            if let [alphas] = alphas && let Some(eight) = row.first_chunk_mut() {
+                colour.over_eight(eight, alphas);
+                return Ok(());
+            }
+            let (eights, rest) = row.as_chunks_mut();
+            colour.over_eights(eights, alphas);
+            if let Some(alphas) = alphas.get(eights.len()) {
+                mix(rest, colour, alphas);
             }
         }
         Ok(())
@@ -77,8 +85,11 @@ impl<C: Mix, D: PixelRows<Color = C>> Blend<D> for InPlace {
     #[inline]
     fn fill(&self, target: &mut D, start: Point, width: u32, colour: C) -> Result<(), D::Error> {
         if let Some(row) = target.row_from(start) {
-            let width = usize::try_from(width).map_or(row.len(), |width| width.min(row.len()));
-            fill(row.get_mut(..width).unwrap_or_default(), colour);
+            let width = usize::try_from(width).unwrap_or(usize::MAX);
+            match row.get_mut(..width) {
+                Some(row) => fill(row, colour),
+                None => fill(row, colour),
+            }
         }
         Ok(())
     }
@@ -91,4 +102,11 @@ fn mix<C: Mix>(row: &mut [C], colour: C, alphas: &[u8]) {
         black_box(());
         *pixel = colour.over(*pixel, alpha);
     }
+}
+
+/// A run that the target's right edge cuts, which those of shapes are not.
+#[cold]
+#[inline(never)]
+fn mix_cut<C: Mix>(row: &mut [C], colour: C, alphas: &[u8]) {
+    mix(row, colour, alphas);
 }

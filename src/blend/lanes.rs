@@ -16,8 +16,8 @@ macro_rules! lane {
             let channel = |shift: u32, bits: u32| {
                 let mask = $lane::MAX >> ($lane::BITS - bits);
                 let (top, bottom) = ((top >> shift) & mask, (bottom >> shift) & mask);
-                let biased = top * alpha + bottom * (255 - alpha) + 128;
-                ((biased + (biased >> 8)) >> 8) << shift
+                let biased = top * alpha + bottom * (255 - alpha) + 127;
+                (biased / 255) << shift
             };
             let low = channel(0, LOW);
             if MIDDLE > 0 { low | channel(LOW, MIDDLE) | channel(LOW + MIDDLE, HIGH) } else { low }

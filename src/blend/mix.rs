@@ -1,5 +1,7 @@
 //! Mixing two colours, channel by channel, two channels to a multiplication.
 
+use core::hint::black_box;
+
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, IntoStorage, PixelColor, Rgb555, Rgb565, Rgb666,
     Rgb888, raw::RawData,
@@ -46,6 +48,17 @@ pub trait Mix: PixelColor {
     #[inline]
     fn over_eight(self, backdrops: &mut [Self; 8], alphas: &[u8; 8]) {
         for (backdrop, alpha) in backdrops.iter_mut().zip(alphas) {
+            *backdrop = self.over(*backdrop, *alpha);
+        }
+    }
+
+    /// This colour over each of a row of others, by an alpha for each, as far as there are both: the same as
+    /// [`over`](Self::over), one by one.
+    ///
+    /// For the colours of embedded-graphics the compiler does it in registers of eight lanes, where there are any.
+    #[inline]
+    fn over_eights(self, backdrops: &mut [[Self; 8]], alphas: &[[u8; 8]]) {
+        for (backdrop, alpha) in backdrops.as_flattened_mut().iter_mut().zip(alphas.as_flattened()) {
             *backdrop = self.over(*backdrop, *alpha);
         }
     }
@@ -130,6 +143,18 @@ macro_rules! impl_mix {
                 for (backdrop, alpha) in backdrops.iter_mut().zip(alphas) {
                     let mixed = $mix_lane(self.into_storage().into(), backdrop.into_storage().into(), *alpha);
                     *backdrop = <Self as PixelColor>::Raw::from_u32(mixed.into()).into();
+                }
+            }
+
+            #[inline(never)]
+            fn over_eights(self, backdrops: &mut [[Self; 8]], alphas: &[[u8; 8]]) {
+                for (backdrops, alphas) in backdrops.iter_mut().zip(alphas) {
+                    // Or else eight eights are done at once, one pixel of each to a lane.
+                    black_box(());
+                    for (backdrop, alpha) in backdrops.iter_mut().zip(alphas) {
+                        let mixed = $mix_lane(self.into_storage().into(), backdrop.into_storage().into(), *alpha);
+                        *backdrop = <Self as PixelColor>::Raw::from_u32(mixed.into()).into();
+                    }
                 }
             }
         })+

@@ -81,8 +81,8 @@ pub trait Blend<D: DrawTarget>: Copy {
     ///
     /// The target's, at once.
     #[inline]
-    fn eight(&self, target: &mut D, start: Point, colour: D::Color, alphas: &[u8; 8]) -> Result<(), D::Error> {
-        self.run(target, start, colour, alphas)
+    fn eights(&self, target: &mut D, start: Point, colour: D::Color, alphas: &[[u8; 8]]) -> Result<(), D::Error> {
+        self.run(target, start, colour, alphas.as_flattened())
     }
 
     /// Draws `width` pixels, of which there are at least eight, from `start` to the right: the first four and the last four

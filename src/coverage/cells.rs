@@ -103,6 +103,10 @@ impl<'c> Cells<'c> {
     pub(crate) fn sweep<S: CoverageSink>(&mut self, row: i32, runs: &mut Runs<'_, S>) -> Result<(), S::Error> {
         let Range { start, end } = core::mem::replace(&mut self.touched, self.columns.end..self.columns.start);
         let index = |column: i32| column.wrapping_sub(self.columns.start).cast_unsigned() as usize;
+        if S::EIGHTS {
+            runs.finish()?;
+            return self.sweep_eights(row, start, end, runs.sink);
+        }
         let Some(cells) = self.cells.get_mut(index(start)..index(end)) else { return Ok(()) };
         runs.start(row);
         let mut cells = cells.iter_mut();
@@ -144,6 +148,79 @@ impl<'c> Cells<'c> {
         runs.alike(column, self.columns.end, coverage_of(area))?;
         runs.finish()
     }
+}
+
+impl Cells<'_> {
+    #[inline(always)]
+    fn sweep_eights<S: CoverageSink>(&mut self, row: i32, start: i32, end: i32, sink: &mut S) -> Result<(), S::Error> {
+        let index = |column: i32| column.wrapping_sub(self.columns.start).cast_unsigned() as usize;
+        // Whole eights, as far as there are cells.
+        let width = end.wrapping_sub(start).max(0).cast_unsigned() as usize;
+        let end = (index(start) + width.next_multiple_of(8)).min(index(self.columns.end));
+        let Some(cells) = self.cells.get_mut(index(start)..end) else { return Ok(()) };
+        let (eights, rest) = cells.as_chunks_mut::<8>();
+        let mut row_of = [[0_u8; 8]; 8];
+        let mut count = 0;
+        let mut column = start;
+        let mut area = 0_u32;
+        let mut index = 0;
+        while let Some(eight) = eights.get_mut(index) {
+            if is_zero(eight) {
+                let zeros = eights.get(index..).unwrap_or_default().iter().take_while(|eight| is_zero(eight)).count();
+                if zeros > 1 {
+                    if count > 0 {
+                        sink.eights(row, column - 8 * count as i32, row_of.get(..count).unwrap_or_default())?;
+                        count = 0;
+                    }
+                    let coverage = coverage_of(area);
+                    let end = column + 8 * zeros as i32;
+                    if coverage > 0 {
+                        sink.span(crate::span::Span { row, columns: column..end }, coverage)?;
+                    }
+                    column = end;
+                    index += zeros;
+                    continue;
+                }
+            }
+            if let Some(Some(eight)) = eights.get_mut(index).map(Some)
+                && let Some(slot) = row_of.get_mut(count)
+            {
+                for (coverage, change) in slot.iter_mut().zip(&mut *eight) {
+                    area = area.wrapping_add(change.0.cast_unsigned());
+                    *coverage = coverage_of(area);
+                }
+                *eight = [Cell::EMPTY; 8];
+            }
+            count += 1;
+            index += 1;
+            column += 8;
+            if count == 8 {
+                sink.eights(row, column - 64, &row_of)?;
+                count = 0;
+            }
+        }
+        if count > 0 {
+            sink.eights(row, column - 8 * count as i32, row_of.get(..count).unwrap_or_default())?;
+        }
+        if !rest.is_empty() {
+            let mut coverages = [0; 8];
+            for (coverage, change) in coverages.iter_mut().zip(rest) {
+                area = area.wrapping_add(take(&mut change.0).cast_unsigned());
+                *coverage = coverage_of(area);
+            }
+            return sink.eights(row, column, &[coverages]);
+        }
+        let coverage = coverage_of(area);
+        if coverage > 0 && column < self.columns.end {
+            sink.span(crate::span::Span { row, columns: column..self.columns.end }, coverage)?;
+        }
+        Ok(())
+    }
+}
+
+#[inline(always)]
+fn is_zero(eight: &[Cell; 8]) -> bool {
+    eight.iter().fold(0, |any, cell| any | cell.0) == 0
 }
 
 /// How many cells in front are 0.

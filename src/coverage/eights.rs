@@ -10,8 +10,6 @@
 //!     '------ four ----'   '------ four ----'      and a span between them
 //! ```
 
-use core::ops::Range;
-
 use crate::{
     coverage::{
         CoverageSink,
@@ -22,7 +20,7 @@ use crate::{
 };
 
 /// How many columns are sent at once.
-const EIGHT: i32 = 8;
+pub(super) const EIGHT: i32 = 8;
 
 /// So many columns are worked out without a jump; and one more is sent on either side of a span.
 const FEW: i32 = 3;
@@ -72,7 +70,7 @@ pub(super) fn send_between<S: CoverageSink>(
         let before = 8 * (right.0.first - (end - width.min(EIGHT))).cast_unsigned();
         let of_right = (of_right << before) | ((1 << before) - 1);
         if width <= EIGHT {
-            return sink.eight(row, start, &(left & of_right).to_le_bytes());
+            return sink.eights(row, start, &[(left & of_right).to_le_bytes()]);
         }
         let sides = (left & u64::from(u32::MAX)) | (of_right & !u64::from(u32::MAX));
         return sink.span_with_sides(Span { row, columns: start..end }, &sides.to_le_bytes());
@@ -97,14 +95,14 @@ fn send_left<S: CoverageSink>(
     };
     if last - first < FEW {
         let word = Ramp::new_few(extent, FULL, steepness).few::<false>();
-        sink.eight(row, first, &masked(first, word))?;
+        sink.eights(row, first, &[masked(first, word)])?;
         return Ok(end.min(first + EIGHT));
     }
     let ramp = Ramp::new(extent, FULL, steepness);
     let mut column = first;
     loop {
         let coverage = ramp.eight(column).map(coverage_of);
-        sink.eight(row, column, &masked(column, u64::from_le_bytes(coverage)))?;
+        sink.eights(row, column, &[masked(column, u64::from_le_bytes(coverage))])?;
         column += EIGHT;
         if column > last {
             return Ok(end.min(column));
@@ -130,38 +128,13 @@ fn send_right<S: CoverageSink>(
     if across < FEW {
         let word = Ramp::new_few(extent, FULL, steepness).few::<true>();
         let before = 8 * (first - column).cast_unsigned();
-        return sink.eight(row, column, &((word << before) | ((1 << before) - 1)).to_le_bytes());
+        return sink.eights(row, column, &[((word << before) | ((1 << before) - 1)).to_le_bytes()]);
     }
     let ramp = Ramp::new(extent, FULL, steepness);
     while column <= last {
         let coverage = ramp.eight(column).map(|area| coverage_of(FULL.wrapping_sub(area)));
-        sink.eight(row, column, &coverage)?;
+        sink.eights(row, column, &[coverage])?;
         column += EIGHT;
-    }
-    Ok(())
-}
-
-/// Sends columns from how the area changes from each to the next, and leaves no change.
-#[inline(always)]
-pub(super) fn send_changes<S: CoverageSink>(
-    row: i32,
-    columns: Range<i32>,
-    changes: &mut [u32; 16],
-    sink: &mut S,
-) -> Result<(), S::Error> {
-    let mut area = 0_u32;
-    let changes = core::mem::take(changes);
-    let (first, second) = changes.split_at(8);
-    for (column, changes) in [(columns.start, first), (columns.start + EIGHT, second)] {
-        let mut coverage = [0; 8];
-        for (coverage, change) in coverage.iter_mut().zip(changes) {
-            area = area.wrapping_add(*change);
-            *coverage = coverage_of(area);
-        }
-        sink.eight(row, column, &coverage)?;
-        if column + EIGHT >= columns.end {
-            break;
-        }
     }
     Ok(())
 }

@@ -90,13 +90,14 @@ pub trait CoverageSink {
     ///
     /// Whatever the sink cannot do; the shape stops at once.
     #[inline]
-    fn eight(&mut self, row: i32, column: i32, coverage: &[u8; 8]) -> Result<(), Self::Error> {
-        let mut rest = &coverage[..];
+    fn eights(&mut self, row: i32, column: i32, coverage: &[[u8; 8]]) -> Result<(), Self::Error> {
+        let coverage = coverage.as_flattened();
+        let mut rest = coverage;
         while let Some(start) = rest.iter().position(|&coverage| coverage != 0) {
             rest = rest.get(start..).unwrap_or_default();
             let length = rest.iter().position(|&coverage| coverage == 0).unwrap_or(rest.len());
             let (run, after) = rest.split_at_checked(length).unwrap_or_default();
-            let before = i32::try_from(8 - rest.len()).unwrap_or(0);
+            let before = i32::try_from(coverage.len() - rest.len()).unwrap_or(0);
             self.run(row, column.wrapping_add(before), run)?;
             rest = after;
         }
@@ -109,9 +110,9 @@ pub(crate) fn send_apart<S: CoverageSink + ?Sized>(sink: &mut S, span: Span, sid
     let [a, b, c, d, e, f, g, h] = *sides;
     let Span { row, columns } = span;
     let inside = columns.start.wrapping_add(4)..columns.end.wrapping_sub(4);
-    sink.eight(row, columns.start, &[a, b, c, d, 0, 0, 0, 0])?;
+    sink.eights(row, columns.start, &[[a, b, c, d, 0, 0, 0, 0]])?;
     if inside.start < inside.end {
         sink.span(Span { row, columns: inside.clone() }, 255)?;
     }
-    sink.eight(row, inside.end, &[e, f, g, h, 0, 0, 0, 0])
+    sink.eights(row, inside.end, &[[e, f, g, h, 0, 0, 0, 0]])
 }

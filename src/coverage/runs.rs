@@ -77,8 +77,11 @@ impl<'s, S: CoverageSink> Runs<'s, S> {
 
     /// Sends what has been put into the buffer, for the pixels from `column` on: a run, without the zeros at its ends.
     #[inline(always)]
-    pub(crate) fn send_all(&mut self, mut column: i32, length: usize) -> Result<(), S::Error> {
+    pub(crate) fn send_all(&mut self, mut column: i32, length: usize, has_zeros: bool) -> Result<(), S::Error> {
         let mut run = self.coverage.get(..length).unwrap_or_default();
+        if !has_zeros {
+            return if run.is_empty() { Ok(()) } else { self.sink.run(self.row, column, run) };
+        }
         while let [0, rest @ ..] = run {
             run = rest;
             column += 1;

@@ -57,31 +57,24 @@ fn send_side<const IS_RIGHT: bool, S: CoverageSink>(
     }
     let mut area = ramp.second_area;
     let mut column = first;
-    // How many there are left between the first and the last.
-    let mut between = last.wrapping_sub(first).wrapping_sub(1).cast_unsigned() as usize;
-    let mut start = 1;
     run[0] = first_coverage;
-    loop {
-        let length = between.min(RUN - 1 - start);
-        for slot in run.get_mut(start..start + length).unwrap_or_default() {
+    let mut length = 1;
+    for _ in first + 1..last {
+        if length >= RUN - 1 {
+            send_run::<IS_RIGHT, S>(row, column, run.get(..length).unwrap_or_default(), sink)?;
+            column = column.wrapping_add_unsigned(length as u32);
+            length = 0;
+        }
+        if let Some(slot) = run.get_mut(length) {
             *slot = coverage(area);
-            area = area.wrapping_add(ramp.step);
         }
-        between -= length;
-        let mut end = start + length;
-        if between == 0 {
-            if let Some(slot) = run.get_mut(end) {
-                *slot = last_coverage;
-            }
-            end += 1;
-        }
-        send_run::<IS_RIGHT, S>(row, column, run.get(..end).unwrap_or_default(), sink)?;
-        if between == 0 {
-            return Ok(());
-        }
-        column = column.wrapping_add_unsigned(u32::try_from(end).unwrap_or(0));
-        start = 0;
+        area = area.wrapping_add(ramp.step);
+        length += 1;
     }
+    if let Some(slot) = run.get_mut(length) {
+        *slot = last_coverage;
+    }
+    send_run::<IS_RIGHT, S>(row, column, run.get(..=length).unwrap_or_default(), sink)
 }
 
 /// A run that may begin with zeros, on the left, or end with them, on the right.

@@ -216,15 +216,20 @@ fn run_faded<D: DrawTarget, B: Blend<D>>(
 
 /// The same for eight pixels.
 #[inline(never)]
-fn eight_faded<D: DrawTarget, B: Blend<D>>(
+fn eights_faded<D: DrawTarget, B: Blend<D>>(
     blend: B,
     target: &mut D,
     start: Point,
     colour: D::Color,
-    coverage: &[u8; 8],
+    coverage: &[[u8; 8]],
     opacity: u8,
 ) -> Result<(), D::Error> {
-    blend.eight(target, start, colour, &coverage.map(|coverage| faded(coverage, opacity)))
+    let mut start = start;
+    for eight in coverage {
+        blend.eights(target, start, colour, &[eight.map(|coverage| faded(coverage, opacity))])?;
+        start = right_of(start, 8);
+    }
+    Ok(())
 }
 
 /// A span that is let through, or covered in part.
@@ -258,13 +263,13 @@ impl<D: DrawTarget, B: Blend<D>> CoverageSink for BlendedFill<'_, D, B> {
     const EIGHTS: bool = B::EIGHTS;
 
     #[inline]
-    fn eight(&mut self, row: i32, column: i32, coverage: &[u8; 8]) -> Result<(), D::Error> {
+    fn eights(&mut self, row: i32, column: i32, coverage: &[[u8; 8]]) -> Result<(), D::Error> {
         let Self { ref mut target, blend, colour, opacity } = *self;
         let start = Point::new(column, row);
         if opacity == 255 {
-            blend.eight(target, start, colour, coverage)
+            blend.eights(target, start, colour, coverage)
         } else {
-            eight_faded(blend, *target, start, colour, coverage, opacity)
+            eights_faded(blend, *target, start, colour, coverage, opacity)
         }
     }
 

@@ -1,93 +1,217 @@
-//! The few ramps of a row, added up.
+//! The few ramps of a row, added up: where a side begins, ends or turns, and where both sides share columns.
+//!
+//! Each side adds up how the area changes from column to column, in 16 slots: a column's is its number modulo 16. Whatever the
+//! first of them is, up to 15 columns, and the one after them, in which the area stops changing, have slots of their own:
+//!
+//! ```text
+//!   column     29  30  31  32  33        slot    0   1   2  ...  13  14  15
+//!   change      3  40  52  60   0               60   0   0  ...   3  40  52
+//! ```
+//!
+//! So ramps are added as they are found, and nothing is known of the others.
 
-use core::{mem::take, ops::Range};
+use core::{hint::black_box, mem::take, ops::Range};
 
-use crate::coverage::{
-    CoverageSink, eights,
-    ramp::{Ramp, coverage_of},
-    runs::Runs,
+use crate::{
+    coverage::{
+        CoverageSink,
+        eights::EIGHT,
+        ramp::{Ramp, coverage_of},
+        runs::Runs,
+    },
+    span::Span,
 };
 
-/// So many columns, and one more, are added up at once.
-pub(super) const NEAR: i32 = 15;
+const SLOTS: usize = 16;
 
-/// How the area changes from each column to the next; 0 between rows.
-pub(super) type Changes = [u32; NEAR as usize + 1];
+/// So many columns, and one more, have slots of their own.
+const NEAR: i32 = SLOTS as i32 - 1;
 
-/// Adds up what is right of a few edges, each with its sign: 1 on the left, -1 on the right.
-#[inline(always)]
-pub(super) fn send_ramps<S: CoverageSink>(
-    row: i32,
-    ramps: &[(Ramp, u32)],
-    columns: &Range<i32>,
-    changes: &mut Changes,
-    runs: &mut Runs<'_, S>,
-) -> Result<(), S::Error> {
-    runs.start(row);
-    let (mut start, mut end) = (i32::MAX, i32::MIN);
-    for (ramp, _) in ramps {
-        (start, end) = (start.min(ramp.first), end.max(ramp.last + 1));
+/// How the area changes, for both sides; all 0 between rows.
+#[derive(Debug, Default)]
+pub(super) struct Changes {
+    left: [u32; SLOTS],
+    right: [u32; SLOTS],
+}
+
+impl Changes {
+    /// Nothing, on either side of a row.
+    #[inline(always)]
+    pub(super) fn sides(&mut self) -> (Few<'_>, Few<'_>) {
+        (Few::new(&mut self.left), Few::new(&mut self.right))
     }
-    if end.wrapping_sub(start) > NEAR || start < columns.start || end > columns.end {
-        return send_far(ramps, start.max(columns.start)..end.min(columns.end), runs);
+}
+
+/// The ramps of a side, added up.
+#[derive(Debug)]
+pub(super) struct Few<'c> {
+    changes: &'c mut [u32; SLOTS],
+    /// The columns of all ramps.
+    start: i32,
+    end: i32,
+}
+
+impl<'c> Few<'c> {
+    #[inline(always)]
+    fn new(changes: &'c mut [u32; SLOTS]) -> Self {
+        Self { changes, start: i32::MAX, end: i32::MIN }
     }
-    for (ramp, sign) in ramps {
-        let mut before = 0;
-        let mut index = ramp.first.wrapping_sub(start).cast_unsigned() as usize;
-        let mut change = |area: u32| {
-            if let Some(change) = changes.get_mut(index) {
-                *change = change.wrapping_add(area.wrapping_sub(before).wrapping_mul(*sign));
-            }
-            before = area;
-            index += 1;
-        };
-        change(ramp.first_area);
-        if ramp.last != ramp.first {
-            let mut area = ramp.second_area;
-            for _ in ramp.first + 1..ramp.last {
-                change(area);
-                area = area.wrapping_add(ramp.step);
-            }
-            change(ramp.last_area);
+
+    #[inline(always)]
+    fn slot(&mut self, column: i32) -> Option<&mut u32> {
+        self.changes.get_mut(column.cast_unsigned() as usize % SLOTS)
+    }
+
+    /// Adds what is right of an edge.
+    #[inline(always)]
+    pub(super) fn add(&mut self, ramp: &Ramp) {
+        let Ramp { first, last, .. } = *ramp;
+        (self.start, self.end) = (self.start.min(first), self.end.max(last + 1));
+        if last - first >= NEAR {
+            return;
         }
-        change(ramp.height);
+        let mut change = |column: i32, by: u32| {
+            if let Some(change) = self.slot(column) {
+                *change = change.wrapping_add(by);
+            }
+        };
+        change(first, ramp.first_area);
+        if last != first {
+            let mut area = ramp.first_area;
+            if last - first > 1 {
+                change(first + 1, ramp.second_area.wrapping_sub(area));
+                area = ramp.second_area;
+                for column in first + 2..last {
+                    black_box(());
+                    change(column, ramp.step);
+                    area = area.wrapping_add(ramp.step);
+                }
+            }
+            change(last, ramp.last_area.wrapping_sub(area));
+        }
+        change(last + 1, ramp.height.wrapping_sub(ramp.last_area));
     }
-    if S::EIGHTS {
-        return eights::send_changes(row, start..end, changes, runs.sink);
+
+    /// Whether its columns have slots of their own.
+    #[inline(always)]
+    fn is_near(&self) -> bool {
+        self.end.wrapping_sub(self.start) <= NEAR
+    }
+
+    #[inline(always)]
+    fn take(&mut self, column: i32) -> u32 {
+        self.slot(column).map_or(0, take)
+    }
+}
+
+/// Sends what lies between two sides, if it can be told from the slots and the clip does not cut it.
+#[inline(always)]
+pub(super) fn send_few<S: CoverageSink>(
+    row: i32,
+    mut left: Few<'_>,
+    mut right: Few<'_>,
+    columns: &Range<i32>,
+    runs: &mut Runs<'_, S>,
+) -> Result<bool, S::Error> {
+    let (start, end) = (left.start.min(right.start), left.end.max(right.end));
+    let is_one = end.wrapping_sub(start) <= NEAR;
+    let is_apart = left.end <= right.start && left.is_near() && right.is_near();
+    if !(is_one || is_apart) || start < columns.start || end > columns.end {
+        (*left.changes, *right.changes) = ([0; SLOTS], [0; SLOTS]);
+        return Ok(false);
     }
     let mut area = 0_u32;
-    let length = (end - start).cast_unsigned() as usize;
-    for (coverage, change) in runs.coverage.iter_mut().zip(changes.iter_mut()).take(length) {
-        area = area.wrapping_add(take(change));
-        *coverage = coverage_of(area);
+    if is_one {
+        send_columns(row, start..end, i32::MAX, runs, |column| {
+            area = area.wrapping_add(left.take(column)).wrapping_sub(right.take(column));
+            area
+        })?;
+        return Ok(true);
     }
-    if let Some(last) = changes.get_mut(length) {
-        *last = 0;
+    let (between, of_right) = (left.end..right.start, right.start..right.end);
+    let inside = send_columns(row, left.start..left.end, between.end, runs, |column| {
+        area = area.wrapping_add(left.take(column));
+        area
+    })?;
+    let coverage = coverage_of(area);
+    if inside < between.end && coverage > 0 {
+        runs.sink.span(Span { row, columns: inside..between.end }, coverage)?;
     }
-    runs.send_all(start, length)
+    send_columns(row, of_right, i32::MAX, runs, |column| {
+        area = area.wrapping_sub(right.take(column));
+        area
+    })?;
+    Ok(true)
+}
+
+/// Sends columns, asking for the area in each of them and in the one after; as eights they may go on as far as `limit`. Where
+/// what is not sent begins is returned.
+#[inline(always)]
+fn send_columns<S: CoverageSink>(
+    row: i32,
+    columns: Range<i32>,
+    limit: i32,
+    runs: &mut Runs<'_, S>,
+    mut area: impl FnMut(i32) -> u32,
+) -> Result<i32, S::Error> {
+    if S::EIGHTS {
+        let mut column = columns.start;
+        loop {
+            let mut eight = [0; EIGHT as usize];
+            for (lane, coverage) in (column..).zip(&mut eight) {
+                let area = area(lane);
+                *coverage = if lane < limit { coverage_of(area) } else { 0 };
+            }
+            runs.sink.eights(row, column, &[eight])?;
+            column += EIGHT;
+            if column >= columns.end {
+                if column == columns.end {
+                    area(column);
+                }
+                return Ok(column.min(limit));
+            }
+        }
+    }
+    let length = columns.end.wrapping_sub(columns.start).cast_unsigned() as usize;
+    let mut less_one = 0_u32;
+    for (column, coverage) in columns.clone().zip(&mut runs.coverage) {
+        // Unrolled, it would be slower for the two or three columns that there are.
+        black_box(());
+        *coverage = coverage_of(area(column));
+        less_one |= u32::from(*coverage).wrapping_sub(1);
+    }
+    area(columns.end);
+    runs.start(row);
+    runs.send_all(columns.start, length, less_one > 255)?;
+    Ok(columns.end)
 }
 
 /// Column by column, but for what is between the sides.
 #[inline(never)]
 pub(super) fn send_far<S: CoverageSink>(
+    row: i32,
     ramps: &[(Ramp, u32)],
-    columns: Range<i32>,
+    columns: &Range<i32>,
     runs: &mut Runs<'_, S>,
 ) -> Result<(), S::Error> {
+    runs.start(row);
+    let (mut start, mut end) = (i32::MAX, i32::MIN);
     let (mut left_end, mut right_start) = (i32::MIN, i32::MAX);
     for (ramp, sign) in ramps {
+        (start, end) = (start.min(ramp.first), end.max(ramp.last + 1));
         if *sign == 1 {
             left_end = left_end.max(ramp.last + 1);
         } else {
             right_start = right_start.min(ramp.first);
         }
     }
-    let mut column = columns.start;
-    while column < columns.end {
+    let end = end.min(columns.end);
+    let mut column = start.max(columns.start);
+    while column < end {
         let add = |area: u32, (ramp, sign): &(Ramp, u32)| area.wrapping_add(ramp.at(column).wrapping_mul(*sign));
         let coverage = coverage_of(ramps.iter().fold(0, add));
         if column >= left_end && column < right_start {
-            let until = right_start.min(columns.end);
+            let until = right_start.min(end);
             runs.alike(column, until, coverage)?;
             column = until;
         } else {

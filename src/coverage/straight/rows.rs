@@ -8,7 +8,7 @@ use crate::coverage::{
     runs::Runs,
     sides::send_between,
     straight::{
-        few::{Changes, send_ramps},
+        few::{Changes, send_far, send_few},
         side::{Rise, Straight, lower, upper},
     },
 };
@@ -53,15 +53,17 @@ pub(super) fn send_rows<const BITS: u32, S: CoverageSink>(
     right_edge: &mut Straight<BITS>,
     rows: Range<i32>,
     columns: &Range<i32>,
+    is_cut: bool,
     changes: &mut Changes,
     runs: &mut Runs<'_, S>,
 ) -> Result<(), S::Error> {
     let (mut left, mut right) = (Stepper::new(left_edge), Stepper::new(right_edge));
     let (start, end) = (columns.start, columns.end);
+    let is_cut = is_cut || S::EIGHTS;
     let end_row = rows.end;
     for row in rows {
         let (of_left, of_right) = (left.step(), right.step());
-        if of_left.last < of_right.first && of_left.first >= start && of_right.last < end {
+        if of_left.last < of_right.first && (!is_cut || (of_left.first >= start && of_right.last < end)) {
             send_between(row, (of_left, left.rise), (of_right, right.rise), runs)?;
         } else {
             send_cut(row, (of_left, left.rise), (of_right, right.rise), columns, changes, runs)?;
@@ -82,6 +84,24 @@ fn send_cut<S: CoverageSink>(
     changes: &mut Changes,
     runs: &mut Runs<'_, S>,
 ) -> Result<(), S::Error> {
+    let (mut of_left, mut of_right) = changes.sides();
+    of_left.add(&Ramp::new(left.0, FULL, left.1));
+    of_right.add(&Ramp::new(right.0, FULL, right.1));
+    if send_few(row, of_left, of_right, columns, runs)? {
+        return Ok(());
+    }
+    send_far_cut(row, left, right, columns, runs)
+}
+
+#[cold]
+#[inline(never)]
+fn send_far_cut<S: CoverageSink>(
+    row: i32,
+    left: (Extent, Rise),
+    right: (Extent, Rise),
+    columns: &Range<i32>,
+    runs: &mut Runs<'_, S>,
+) -> Result<(), S::Error> {
     let ramps = [(Ramp::new(left.0, FULL, left.1), 1), (Ramp::new(right.0, FULL, right.1), u32::MAX)];
-    send_ramps(row, &ramps, columns, changes, runs)
+    send_far(row, &ramps, columns, runs)
 }

@@ -78,14 +78,15 @@ impl<const BITS: u32> Straight<BITS> {
     #[inline(always)]
     pub(super) fn ramp(&self, to: i64, height: u32) -> Ramp {
         // Compared, as corners of lines are rounded, and may be on the other side of a steep one.
-        let (from, to) = (self.position.min(to), self.position.max(to));
+        let from = self.position;
+        let (from, to) = if from <= to { (from, to) } else { (to, from) };
         let extent = Extent { first: upper(from), last: upper(to), left: lower(from), right: lower(to) };
         Ramp::new(extent, height, self.rise)
     }
 
     #[inline(always)]
     pub(super) fn at(&self, y: i32) -> i64 {
-        if y == self.until { self.end } else { self.position + ((self.step * i64::from(y - self.y)) >> BITS) }
+        if y == self.until { self.end } else { self.position + ((self.step * i64::from((y - self.y).cast_unsigned())) >> BITS) }
     }
 
     /// Takes it to a height on its way that is the top of a row.
@@ -131,25 +132,43 @@ impl<const BITS: u32> Side<BITS> {
         if self.edge.y == row << BITS { (self.edge.until >> BITS) - row } else { 0 }
     }
 
-    /// What it has of `row`, one or two pieces, of which the second may be nothing. The side is taken to the next row.
+    /// What it has of `row`, one or two pieces, and where it leaves the row.
     #[inline(always)]
-    pub(super) fn pieces(&mut self, row: i32, mut piece: impl FnMut(Ramp)) {
+    pub(super) fn pieces(&self, row: i32, mut piece: impl FnMut(&Ramp)) -> Foot {
         let bottom = (row + 1) << BITS;
+        let mut edge = &self.edge;
+        let mut next = self.next.as_ref();
         loop {
-            let edge = &mut self.edge;
             let y = bottom.min(edge.until);
+            let mut foot = Foot { position: edge.position, y: edge.y, has_turned: next.is_none() };
             if y > edge.y {
-                let to = edge.at(y);
-                let height = height_in::<BITS>(y - edge.y);
-                piece(edge.ramp(to, height));
-                (edge.position, edge.y) = (to, y);
+                foot.position = edge.at(y);
+                foot.y = y;
+                piece(&edge.ramp(foot.position, height_in::<BITS>(y - edge.y)));
             }
-            if y < edge.until || self.next.is_none() {
-                return;
+            match next.take() {
+                Some(lower) if y >= edge.until => edge = lower,
+                _ => return foot,
             }
-            self.turn();
         }
     }
+
+    /// Takes it to where it leaves a row.
+    #[inline(always)]
+    pub(super) fn go_to(&mut self, foot: Foot) {
+        if foot.has_turned {
+            self.turn();
+        }
+        (self.edge.position, self.edge.y) = (foot.position, foot.y);
+    }
+}
+
+/// Where a side leaves a row, and whether on the last of its edges.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Foot {
+    position: i64,
+    y: i32,
+    has_turned: bool,
 }
 
 #[inline(always)]

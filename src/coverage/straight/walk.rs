@@ -8,7 +8,7 @@ use crate::coverage::{
     CoverageSink,
     runs::Runs,
     straight::{
-        few::{Changes, NEAR, send_ramps},
+        few::{Changes, send_far, send_few},
         rows::send_rows,
         side::Side,
     },
@@ -21,12 +21,13 @@ pub(crate) fn send_straight<const BITS: u32, S: CoverageSink>(
     mut right: Side<BITS>,
     mut rows: Range<i32>,
     columns: &Range<i32>,
+    is_cut: bool,
     sink: &mut S,
 ) -> Result<(), S::Error> {
     left.skip_to(rows.start);
     right.skip_to(rows.start);
     let mut runs = Runs::new(sink);
-    let mut changes = [0; NEAR as usize + 1];
+    let mut changes = Changes::default();
     while rows.start < rows.end {
         let whole = left.whole_rows(rows.start).min(right.whole_rows(rows.start)).min(rows.end - rows.start);
         if whole > 0 {
@@ -35,6 +36,7 @@ pub(crate) fn send_straight<const BITS: u32, S: CoverageSink>(
                 &mut right.edge,
                 rows.start..rows.start + whole,
                 columns,
+                is_cut,
                 &mut changes,
                 &mut runs,
             )?;
@@ -57,9 +59,29 @@ fn send_pieces<const BITS: u32, S: CoverageSink>(
     changes: &mut Changes,
     runs: &mut Runs<'_, S>,
 ) -> Result<(), S::Error> {
+    let (mut of_left, mut of_right) = changes.sides();
+    let left_foot = left.pieces(row, |ramp| of_left.add(ramp));
+    let right_foot = right.pieces(row, |ramp| of_right.add(ramp));
+    if !send_few(row, of_left, of_right, columns, runs)? {
+        send_far_pieces(left, right, row, columns, runs)?;
+    }
+    left.go_to(left_foot);
+    right.go_to(right_foot);
+    Ok(())
+}
+
+#[cold]
+#[inline(never)]
+fn send_far_pieces<const BITS: u32, S: CoverageSink>(
+    left: &Side<BITS>,
+    right: &Side<BITS>,
+    row: i32,
+    columns: &Range<i32>,
+    runs: &mut Runs<'_, S>,
+) -> Result<(), S::Error> {
     // Two a side; there are never more.
     let mut ramps = Vec::<_, 4>::new();
-    left.pieces(row, |ramp| ramps.push((ramp, 1)).unwrap_or_default());
-    right.pieces(row, |ramp| ramps.push((ramp, u32::MAX)).unwrap_or_default());
-    send_ramps(row, &ramps, columns, changes, runs)
+    left.pieces(row, |ramp| ramps.push((*ramp, 1)).unwrap_or_default());
+    right.pieces(row, |ramp| ramps.push((*ramp, u32::MAX)).unwrap_or_default());
+    send_far(row, &ramps, columns, runs)
 }
