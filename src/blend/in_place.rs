@@ -44,7 +44,7 @@ impl<C: Mix, D: PixelRows<Color = C>> Blend<D> for InPlace {
         Ok(())
     }
 
-    #[inline]
+    #[inline(always)]
     fn eights(&self, target: &mut D, start: Point, colour: C, alphas: &[[u8; 8]]) -> Result<(), D::Error> {
         if let Some(row) = target.row_from(start) {
             if let [alphas] = alphas && let Some(eight) = row.first_chunk_mut() {

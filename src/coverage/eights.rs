@@ -26,20 +26,18 @@ pub(super) const EIGHT: i32 = 8;
 const FEW: i32 = 3;
 
 impl Ramp {
-    /// The area in each of the eight columns from `column` on.
+    /// The coverage of the eight columns from `column` on, the first in the lowest byte, as if all of them were between the
+    /// first that it crosses and the last.
     #[inline(always)]
-    fn eight(&self, column: i32) -> [u32; 8] {
-        let (first, last) = (self.first.wrapping_sub(column), self.last.wrapping_sub(column));
-        let before = self.second_area.wrapping_sub(first.wrapping_add(1).cast_unsigned().wrapping_mul(self.step));
-        let mut areas = [0_u32; 8];
-        for (lane, area) in (0..).zip(&mut areas) {
-            let between = before.wrapping_add(self.step.wrapping_mul(i32::cast_unsigned(lane)));
-            let inside = if lane > first { between } else { 0 };
-            let inside = if lane == first { self.first_area } else { inside };
-            let inside = if lane == last { self.last_area } else { inside };
-            *area = if lane > last { self.height } else { inside };
+    fn eight_between<const IS_RIGHT: bool>(&self, column: i32) -> u64 {
+        let before = column.wrapping_sub(self.first).wrapping_sub(1).cast_unsigned();
+        let mut area = self.second_area.wrapping_add(before.wrapping_mul(self.step));
+        let mut coverage = [0; EIGHT as usize];
+        for coverage in &mut coverage {
+            *coverage = coverage_of(if IS_RIGHT { FULL.wrapping_sub(area) } else { area });
+            area = area.wrapping_add(self.step);
         }
-        areas
+        u64::from_le_bytes(coverage)
     }
 
     /// The coverage of up to three columns, which are all that it crosses, the first in the lowest byte. In the bytes after
@@ -63,20 +61,34 @@ pub(super) fn send_between<S: CoverageSink>(
     sink: &mut S,
 ) -> Result<(), S::Error> {
     let (start, end) = (left.0.first, right.0.last + 1);
-    if left.0.last - start < FEW && end - right.0.first <= FEW {
-        let left = Ramp::new_few(left.0, FULL, left.1).few::<false>();
-        let of_right = Ramp::new_few(right.0, FULL, right.1).few::<true>();
-        let width = end - start;
-        let before = 8 * (right.0.first - (end - width.min(EIGHT))).cast_unsigned();
-        let of_right = (of_right << before) | ((1 << before) - 1);
-        if width <= EIGHT {
-            return sink.eights(row, start, &[(left & of_right).to_le_bytes()]);
-        }
-        let sides = (left & u64::from(u32::MAX)) | (of_right & !u64::from(u32::MAX));
-        return sink.span_with_sides(Span { row, columns: start..end }, &sides.to_le_bytes());
+    let (left_word, right_word) = if left.1.is_steep() && right.1.is_steep() {
+        (two::<false>(left.0, left.1), two::<true>(right.0, right.1))
+    } else if left.0.last - start < FEW && end - right.0.first <= FEW {
+        (
+            Ramp::new_few(left.0, FULL, left.1).few::<false>(),
+            Ramp::new_few(right.0, FULL, right.1).few::<true>(),
+        )
+    } else {
+        let inside = send_left(row, left.0, left.1, right.0.first, sink)?;
+        return send_right(row, right.0, right.1, inside, sink);
+    };
+    let width = end - start;
+    let before = 8 * (right.0.first - (end - width.min(EIGHT))).cast_unsigned();
+    let of_right = (right_word << before) | ((1 << before) - 1);
+    if width <= EIGHT {
+        return sink.eights(row, start, &[(left_word & of_right).to_le_bytes()]);
     }
-    let inside = send_left(row, left.0, left.1, right.0.first, sink)?;
-    send_right(row, right.0, right.1, inside, sink)
+    let sides = (left_word & u64::from(u32::MAX)) | (of_right & !u64::from(u32::MAX));
+    sink.span_with_sides(Span { row, columns: start..end }, &sides.to_le_bytes())
+}
+
+/// As [`Ramp::few`], of an edge that crosses at most a pixel in a row, and so at most two columns.
+#[inline(always)]
+fn two<const IS_RIGHT: bool>(extent: Extent, steepness: Steepness) -> u64 {
+    let (first, last) = Ramp::ends_of_steep(extent, steepness);
+    let covered = |area: u32| u64::from(coverage_of(if IS_RIGHT { FULL.wrapping_sub(area) } else { area }));
+    let word = covered(first) | (covered(last) << 8);
+    if IS_RIGHT { word } else { word | (u64::MAX << 16) }
 }
 
 /// Sends what an edge leaves of its pixels; after it is the inside, as far as `end`. Where that goes on is returned.
@@ -100,14 +112,16 @@ fn send_left<S: CoverageSink>(
     }
     let ramp = Ramp::new(extent, FULL, steepness);
     let mut column = first;
-    loop {
-        let coverage = ramp.eight(column).map(coverage_of);
-        sink.eights(row, column, &[masked(column, u64::from_le_bytes(coverage))])?;
+    let mut word = (ramp.eight_between::<false>(column) & !0xFF) | u64::from(coverage_of(ramp.first_area));
+    while column + EIGHT <= last {
+        sink.eights(row, column, &[word.to_le_bytes()])?;
         column += EIGHT;
-        if column > last {
-            return Ok(end.min(column));
-        }
+        word = ramp.eight_between::<false>(column);
     }
+    let at_last = 8 * (last - column).cast_unsigned();
+    let word = (word & ((1 << at_last) - 1)) | (u64::from(coverage_of(ramp.last_area)) << at_last) | (!0xFF << at_last);
+    sink.eights(row, column, &[masked(column, word)])?;
+    Ok(end.min(column + EIGHT))
 }
 
 /// Sends the inside, from `inside` on, and what an edge takes of its pixels.
@@ -131,10 +145,16 @@ fn send_right<S: CoverageSink>(
         return sink.eights(row, column, &[((word << before) | ((1 << before) - 1)).to_le_bytes()]);
     }
     let ramp = Ramp::new(extent, FULL, steepness);
-    while column <= last {
-        let coverage = ramp.eight(column).map(|area| coverage_of(FULL.wrapping_sub(area)));
-        sink.eights(row, column, &[coverage])?;
+    let covered = |area: u32| u64::from(coverage_of(FULL.wrapping_sub(area)));
+    let at_first = 8 * (first - column).cast_unsigned();
+    let mut word = ramp.eight_between::<true>(column) & (!0xFF << at_first);
+    word |= (covered(ramp.first_area) << at_first) | ((1 << at_first) - 1);
+    while column + EIGHT <= last {
+        sink.eights(row, column, &[word.to_le_bytes()])?;
         column += EIGHT;
+        word = ramp.eight_between::<true>(column);
     }
-    Ok(())
+    let at_last = 8 * (last - column).cast_unsigned();
+    let word = (word & ((1 << at_last) - 1)) | (covered(ramp.last_area) << at_last);
+    sink.eights(row, column, &[word.to_le_bytes()])
 }

@@ -147,6 +147,18 @@ impl Ramp {
         Self { first, last, height, first_area, last_area, second_area, step, steepness: steep.steepness() }
     }
 
+    /// The areas in the first column and in the one after it, over a pixel's height, of an edge that is
+    /// [steep](Steepness::is_steep): without a jump.
+    #[inline(always)]
+    pub(crate) fn ends_of_steep(extent: Extent, steep: impl Steep) -> (u32, u32) {
+        let Extent { first, last, left, right } = extent;
+        let in_one = FULL - high_word(FULL, (left >> 1) + (right >> 1));
+        let down = steep.down(!left).min(FULL);
+        let first_area = high_word(!left, down) >> 1;
+        let last_area = FULL - (high_word(right, FULL - down) >> 1);
+        (select(first == last, in_one, first_area), select(first == last, FULL, last_area))
+    }
+
     /// The area in a column.
     #[inline(always)]
     pub(crate) fn at(&self, column: i32) -> u32 {

@@ -192,6 +192,12 @@ impl Steepness {
         Self((mantissa & MANTISSA_MASK) | shift.min(SHIFT_MASK))
     }
 
+    /// Whether it crosses at most a pixel in a row: almost none that do are left out.
+    #[inline(always)]
+    pub(crate) fn is_steep(self) -> bool {
+        self.0 & SHIFT_MASK <= 33
+    }
+
     /// Two bits that whoever holds the slope may use.
     #[inline(always)]
     pub(crate) fn mark(self) -> i32 {

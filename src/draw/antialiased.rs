@@ -262,7 +262,7 @@ impl<D: DrawTarget, B: Blend<D>> CoverageSink for BlendedFill<'_, D, B> {
 
     const EIGHTS: bool = B::EIGHTS;
 
-    #[inline]
+    #[inline(always)]
     fn eights(&mut self, row: i32, column: i32, coverage: &[[u8; 8]]) -> Result<(), D::Error> {
         let Self { ref mut target, blend, colour, opacity } = *self;
         let start = Point::new(column, row);

@@ -99,8 +99,8 @@ impl<'c> Few<'c> {
     }
 
     #[inline(always)]
-    fn take(&mut self, column: i32) -> u32 {
-        self.slot(column).map_or(0, take)
+    fn take<const KEEP: bool>(&mut self, column: i32) -> u32 {
+        self.slot(column).map_or(0, |change| if KEEP { *change } else { take(change) })
     }
 }
 
@@ -120,17 +120,36 @@ pub(super) fn send_few<S: CoverageSink>(
         (*left.changes, *right.changes) = ([0; SLOTS], [0; SLOTS]);
         return Ok(false);
     }
+    if S::EIGHTS {
+        let result = send_sides::<true, S>(row, &mut left, &mut right, is_one, runs);
+        (*left.changes, *right.changes) = ([0; SLOTS], [0; SLOTS]);
+        result?;
+    } else {
+        send_sides::<false, S>(row, &mut left, &mut right, is_one, runs)?;
+    }
+    Ok(true)
+}
+
+#[inline(always)]
+fn send_sides<const KEEP: bool, S: CoverageSink>(
+    row: i32,
+    left: &mut Few<'_>,
+    right: &mut Few<'_>,
+    is_one: bool,
+    runs: &mut Runs<'_, S>,
+) -> Result<(), S::Error> {
+    let (start, end) = (left.start.min(right.start), left.end.max(right.end));
     let mut area = 0_u32;
     if is_one {
         send_columns(row, start..end, i32::MAX, runs, |column| {
-            area = area.wrapping_add(left.take(column)).wrapping_sub(right.take(column));
+            area = area.wrapping_add(left.take::<KEEP>(column)).wrapping_sub(right.take::<KEEP>(column));
             area
         })?;
-        return Ok(true);
+        return Ok(());
     }
     let (between, of_right) = (left.end..right.start, right.start..right.end);
     let inside = send_columns(row, left.start..left.end, between.end, runs, |column| {
-        area = area.wrapping_add(left.take(column));
+        area = area.wrapping_add(left.take::<KEEP>(column));
         area
     })?;
     let coverage = coverage_of(area);
@@ -138,10 +157,10 @@ pub(super) fn send_few<S: CoverageSink>(
         runs.sink.span(Span { row, columns: inside..between.end }, coverage)?;
     }
     send_columns(row, of_right, i32::MAX, runs, |column| {
-        area = area.wrapping_sub(right.take(column));
+        area = area.wrapping_sub(right.take::<KEEP>(column));
         area
     })?;
-    Ok(true)
+    Ok(())
 }
 
 /// Sends columns, asking for the area in each of them and in the one after; as eights they may go on as far as `limit`. Where
@@ -157,12 +176,14 @@ fn send_columns<S: CoverageSink>(
     if S::EIGHTS {
         let mut column = columns.start;
         loop {
-            let mut eight = [0; EIGHT as usize];
-            for (lane, coverage) in (column..).zip(&mut eight) {
-                let area = area(lane);
-                *coverage = if lane < limit { coverage_of(area) } else { 0 };
+            // Stored byte by byte, it would have to be waited for when it is loaded as a whole.
+            let mut word = 0_u64;
+            for lane in 0..EIGHT {
+                let area = area(column + lane);
+                let coverage = if column + lane < limit { coverage_of(area) } else { 0 };
+                word |= u64::from(coverage) << (8 * lane);
             }
-            runs.sink.eights(row, column, &[eight])?;
+            runs.sink.eights(row, column, &[word.to_le_bytes()])?;
             column += EIGHT;
             if column >= columns.end {
                 if column == columns.end {
