@@ -24,13 +24,14 @@ pub(crate) struct Runs<'s, S> {
     /// Where the open run starts.
     first: i32,
     length: usize,
+    word: u64,
     pub(super) coverage: [u8; RUN],
 }
 
 impl<'s, S: CoverageSink> Runs<'s, S> {
     #[inline(always)]
     pub(crate) fn new(sink: &'s mut S) -> Self {
-        Self { sink, row: 0, first: 0, length: 0, coverage: [0; RUN] }
+        Self { sink, row: 0, first: 0, length: 0, word: 0, coverage: [0; RUN] }
     }
 
     /// What follows is on `row`. The row before has been finished.
@@ -47,6 +48,11 @@ impl<'s, S: CoverageSink> Runs<'s, S> {
         }
         if self.length == 0 {
             self.first = column;
+        }
+        if S::EIGHTS {
+            self.word |= u64::from(coverage) << (8 * (self.length & 7));
+            self.length += 1;
+            return if self.length < 8 { Ok(()) } else { self.finish() };
         }
         if let Some(slot) = self.coverage.get_mut(self.length) {
             *slot = coverage;
@@ -115,6 +121,10 @@ impl<'s, S: CoverageSink> Runs<'s, S> {
     #[inline(always)]
     pub(crate) fn finish(&mut self) -> Result<(), S::Error> {
         let length = take(&mut self.length);
+        if S::EIGHTS {
+            let word = take(&mut self.word);
+            return if length == 0 { Ok(()) } else { self.sink.eights(self.row, self.first, &[word.to_le_bytes()]) };
+        }
         match self.coverage.get(..length) {
             Some(run) if length > 0 => self.sink.run(self.row, self.first, run),
             _ => Ok(()),
