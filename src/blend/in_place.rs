@@ -21,7 +21,7 @@ use crate::{
 /// # Cost
 ///
 /// A row is looked up once for each run and span. Where registers have 64 bits, pixels at the edges are mixed eight at a time
-/// ([`Mix::over_eights`]), four on either side of a span; elsewhere one by one.
+/// ([`Mix::over_eight`], [`Mix::over_eights`]), four on either side of a span; elsewhere one by one.
 ///
 /// # Examples
 ///
@@ -46,16 +46,17 @@ impl<C: Mix, D: PixelRows<Color = C>> Blend<D> for InPlace {
 
     #[inline(always)]
     fn eights(&self, target: &mut D, start: Point, colour: C, alphas: &[[u8; 8]]) -> Result<(), D::Error> {
-        if let Some(row) = target.row_from(start) {
-            if let [alphas] = alphas && let Some(eight) = row.first_chunk_mut() {
-                colour.over_eight(eight, alphas);
-                return Ok(());
-            }
-            let (eights, rest) = row.as_chunks_mut();
-            colour.over_eights(eights, alphas);
-            if let Some(alphas) = alphas.get(eights.len()) {
-                mix(rest, colour, alphas);
-            }
+        let Some(row) = target.row_from(start) else { return Ok(()) };
+        if let [alphas] = alphas
+            && let Some(eight) = row.first_chunk_mut()
+        {
+            colour.over_eight(eight, alphas);
+            return Ok(());
+        }
+        let (eights, rest) = row.as_chunks_mut();
+        colour.over_eights(eights, alphas);
+        if let Some(alphas) = alphas.get(eights.len()) {
+            mix_cut(rest, colour, alphas);
         }
         Ok(())
     }
@@ -88,7 +89,7 @@ impl<C: Mix, D: PixelRows<Color = C>> Blend<D> for InPlace {
             let width = usize::try_from(width).unwrap_or(usize::MAX);
             match row.get_mut(..width) {
                 Some(row) => fill(row, colour),
-                None => fill(row, colour),
+                None => fill_cut(row, colour),
             }
         }
         Ok(())
@@ -104,9 +105,15 @@ fn mix<C: Mix>(row: &mut [C], colour: C, alphas: &[u8]) {
     }
 }
 
-/// A run that the target's right edge cuts, which those of shapes are not.
+/// What the target's right edge cuts, as nothing of a shape is but the empty end of an eight.
 #[cold]
 #[inline(never)]
 fn mix_cut<C: Mix>(row: &mut [C], colour: C, alphas: &[u8]) {
     mix(row, colour, alphas);
+}
+
+#[cold]
+#[inline(never)]
+fn fill_cut<C: Copy>(row: &mut [C], colour: C) {
+    fill(row, colour);
 }

@@ -3,30 +3,54 @@
 //! The sides of a span are mostly one to three pixels wide. Mixing eight of which some stay as they are takes as long as mixing
 //! two or three one by one, and no processor has to guess where a run ends.
 
+use core::hint::black_box;
+
+use embedded_graphics_core::pixelcolor::{IntoStorage, PixelColor, raw::RawData};
+
 macro_rules! lane {
     ($name:ident, $lane:ident) => {
-        /// One of eight colours in a register of eight lanes. See `mix_one`.
+        /// One of eight colours in a register of eight lanes. A sum is divided as `mix_one` does, or by the reciprocal of
+        /// 255: for lanes of 16 bits, the compiler finds that two instructions do.
         #[inline(always)]
-        pub(super) fn $name<const LOW: u32, const MIDDLE: u32, const HIGH: u32>(
-            top: $lane,
-            bottom: $lane,
-            alpha: u8,
-        ) -> $lane {
-            let alpha = $lane::from(alpha);
+        pub(super) fn $name<C, const LOW: u32, const MIDDLE: u32, const HIGH: u32>(top: C, bottom: C, alpha: u8) -> C
+        where
+            C: PixelColor + IntoStorage + From<C::Raw>,
+            $lane: From<C::Storage>,
+        {
+            let (top, bottom) = ($lane::from(top.into_storage()), $lane::from(bottom.into_storage()));
+            let alpha = <$lane as From<u8>>::from(alpha);
             let channel = |shift: u32, bits: u32| {
                 let mask = $lane::MAX >> ($lane::BITS - bits);
                 let (top, bottom) = ((top >> shift) & mask, (bottom >> shift) & mask);
-                let biased = top * alpha + bottom * (255 - alpha) + 127;
-                (biased / 255) << shift
+                ((top * alpha + bottom * (255 - alpha) + 127) / 255) << shift
             };
             let low = channel(0, LOW);
-            if MIDDLE > 0 { low | channel(LOW, MIDDLE) | channel(LOW + MIDDLE, HIGH) } else { low }
+            let mixed = if MIDDLE > 0 { low | channel(LOW, MIDDLE) | channel(LOW + MIDDLE, HIGH) } else { low };
+            C::Raw::from_u32(mixed.into()).into()
         }
     };
 }
 
 lane!(narrow_lane, u16);
 lane!(wide_lane, u32);
+
+/// What a lane does, in all eight.
+#[inline(always)]
+pub(super) fn mix_eight<C: Copy>(backdrops: &mut [C; 8], alphas: &[u8; 8], mix: impl Fn(C, u8) -> C) {
+    for (backdrop, alpha) in backdrops.iter_mut().zip(alphas) {
+        *backdrop = mix(*backdrop, *alpha);
+    }
+}
+
+/// The same in a row of eights.
+#[inline(always)]
+pub(super) fn mix_eights<C: Copy>(backdrops: &mut [[C; 8]], alphas: &[[u8; 8]], mix: impl Fn(C, u8) -> C) {
+    for (backdrops, alphas) in backdrops.iter_mut().zip(alphas) {
+        // Or else the compiler takes eight eights at once, one pixel of each to a lane.
+        black_box(());
+        mix_eight(backdrops, alphas, &mix);
+    }
+}
 
 /// `slice::fill` for rows that are mostly short: eights (below eight pixels, fours), and one more that ends where the row
 /// does and may overlap the last, in the place of a loop over what is left.

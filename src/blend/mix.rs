@@ -1,13 +1,11 @@
 //! Mixing two colours, channel by channel, two channels to a multiplication.
 
-use core::hint::black_box;
-
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, IntoStorage, PixelColor, Rgb555, Rgb565, Rgb666,
     Rgb888, raw::RawData,
 };
 
-use crate::blend::lanes::{narrow_lane, wide_lane};
+use crate::blend::lanes::{mix_eight, mix_eights, narrow_lane, wide_lane};
 
 /// A colour that can be mixed with another: every colour of embedded-graphics, and others by implementing it.
 ///
@@ -47,20 +45,13 @@ pub trait Mix: PixelColor {
     /// For the colours of embedded-graphics the compiler does it in registers of eight lanes, where there are any.
     #[inline]
     fn over_eight(self, backdrops: &mut [Self; 8], alphas: &[u8; 8]) {
-        for (backdrop, alpha) in backdrops.iter_mut().zip(alphas) {
-            *backdrop = self.over(*backdrop, *alpha);
-        }
+        mix_eight(backdrops, alphas, |backdrop, alpha| self.over(backdrop, alpha));
     }
 
-    /// This colour over each of a row of others, by an alpha for each, as far as there are both: the same as
-    /// [`over`](Self::over), one by one.
-    ///
-    /// For the colours of embedded-graphics the compiler does it in registers of eight lanes, where there are any.
+    /// The same for any number of eights, as many as there are of both: what all of them need is worked out once.
     #[inline]
     fn over_eights(self, backdrops: &mut [[Self; 8]], alphas: &[[u8; 8]]) {
-        for (backdrop, alpha) in backdrops.as_flattened_mut().iter_mut().zip(alphas.as_flattened()) {
-            *backdrop = self.over(*backdrop, *alpha);
-        }
+        mix_eights(backdrops, alphas, |backdrop, alpha| self.over(backdrop, alpha));
     }
 }
 
@@ -140,32 +131,22 @@ macro_rules! impl_mix {
             /// Out of line, the compiler sees a loop of eight, and does it at once.
             #[inline(never)]
             fn over_eight(self, backdrops: &mut [Self; 8], alphas: &[u8; 8]) {
-                for (backdrop, alpha) in backdrops.iter_mut().zip(alphas) {
-                    let mixed = $mix_lane(self.into_storage().into(), backdrop.into_storage().into(), *alpha);
-                    *backdrop = <Self as PixelColor>::Raw::from_u32(mixed.into()).into();
-                }
+                mix_eight(backdrops, alphas, |backdrop, alpha| $mix_lane(self, backdrop, alpha));
             }
 
             #[inline(never)]
             fn over_eights(self, backdrops: &mut [[Self; 8]], alphas: &[[u8; 8]]) {
-                for (backdrops, alphas) in backdrops.iter_mut().zip(alphas) {
-                    // Or else eight eights are done at once, one pixel of each to a lane.
-                    black_box(());
-                    for (backdrop, alpha) in backdrops.iter_mut().zip(alphas) {
-                        let mixed = $mix_lane(self.into_storage().into(), backdrop.into_storage().into(), *alpha);
-                        *backdrop = <Self as PixelColor>::Raw::from_u32(mixed.into()).into();
-                    }
-                }
+                mix_eights(backdrops, alphas, |backdrop, alpha| $mix_lane(self, backdrop, alpha));
             }
         })+
     };
 }
 
-impl_mix!(mix_one, narrow_lane::<8, 0, 0> => Gray2 Gray4 Gray8);
-impl_mix!(mix_three::<5, 5, 5>, narrow_lane::<5, 5, 5> => Rgb555 Bgr555);
-impl_mix!(mix_three::<5, 6, 5>, narrow_lane::<5, 6, 5> => Rgb565 Bgr565);
-impl_mix!(mix_three::<6, 6, 6>, wide_lane::<6, 6, 6> => Rgb666 Bgr666);
-impl_mix!(mix_three::<8, 8, 8>, wide_lane::<8, 8, 8> => Rgb888 Bgr888);
+impl_mix!(mix_one, narrow_lane::<_, 8, 0, 0> => Gray2 Gray4 Gray8);
+impl_mix!(mix_three::<5, 5, 5>, narrow_lane::<_, 5, 5, 5> => Rgb555 Bgr555);
+impl_mix!(mix_three::<5, 6, 5>, narrow_lane::<_, 5, 6, 5> => Rgb565 Bgr565);
+impl_mix!(mix_three::<6, 6, 6>, wide_lane::<_, 6, 6, 6> => Rgb666 Bgr666);
+impl_mix!(mix_three::<8, 8, 8>, wide_lane::<_, 8, 8, 8> => Rgb888 Bgr888);
 
 impl Mix for BinaryColor {
     #[inline]

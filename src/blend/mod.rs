@@ -62,8 +62,8 @@ use embedded_graphics_core::{
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 pub trait Blend<D: DrawTarget>: Copy {
-    /// Whether [`eight`](Self::eight) takes no longer than two or three pixels by [`run`](Self::run): the edges of shapes are
-    /// then drawn by it and by [`span_with_sides`](Self::span_with_sides). The pixels are the same.
+    /// Whether an [eight](Self::eights) takes no longer than two or three pixels by [`run`](Self::run): the edges of shapes are
+    /// then drawn by those and by [`span_with_sides`](Self::span_with_sides). The pixels are the same.
     const EIGHTS: bool = false;
 
     /// Draws a pixel for each of `alphas`, of which there is at least one, from `start` to the right.
@@ -73,7 +73,8 @@ pub trait Blend<D: DrawTarget>: Copy {
     /// The target's, at once.
     fn run(&self, target: &mut D, start: Point, colour: D::Color, alphas: &[u8]) -> Result<(), D::Error>;
 
-    /// Draws eight pixels, from `start` to the right; those of alpha 0 stay, and may lie to the right of the target.
+    /// Draws eight pixels for each of `alphas`, of which there is at least one, from `start` to the right; those of alpha 0
+    /// stay, and may lie to the right of the target.
     ///
     /// By itself it is [`run`](Self::run); who sets [`EIGHTS`](Self::EIGHTS) writes it, too.
     ///

@@ -64,10 +64,7 @@ pub(super) fn send_between<S: CoverageSink>(
     let (left_word, right_word) = if left.1.is_steep() && right.1.is_steep() {
         (two::<false>(left.0, left.1), two::<true>(right.0, right.1))
     } else if left.0.last - start < FEW && end - right.0.first <= FEW {
-        (
-            Ramp::new_few(left.0, FULL, left.1).few::<false>(),
-            Ramp::new_few(right.0, FULL, right.1).few::<true>(),
-        )
+        (Ramp::new_few(left.0, FULL, left.1).few::<false>(), Ramp::new_few(right.0, FULL, right.1).few::<true>())
     } else {
         let inside = send_left(row, left.0, left.1, right.0.first, sink)?;
         return send_right(row, right.0, right.1, inside, sink);

@@ -13,6 +13,7 @@ mod samples;
 mod sides;
 mod slope;
 mod straight;
+mod sweep;
 
 pub(crate) use beyond::send_within_range;
 pub use cells::Cell;
@@ -44,7 +45,7 @@ pub trait CoverageSink {
     /// What can fail in the sink; it ends the walk and is handed to the caller.
     type Error;
 
-    /// Whether the edges of shapes come by [`eight`](Self::eight) and [`span_with_sides`](Self::span_with_sides), too, which
+    /// Whether the edges of shapes come by [`eights`](Self::eights) and [`span_with_sides`](Self::span_with_sides), too, which
     /// suits sinks that handle eight pixels as fast as two or three. The coverage is the same.
     const EIGHTS: bool = false;
 
@@ -81,8 +82,12 @@ pub trait CoverageSink {
         send_apart(self, span, sides)
     }
 
-    /// Takes eight pixels of `row`, from `column` on. Those of coverage 0 are not part of the shape, and may lie to the right
-    /// of the clip.
+    /// Takes eight pixels of `row` for each of `coverage`, of which there is at least one, from `column` on. Those of coverage 0
+    /// are not part of the shape, and may lie to the right of the clip.
+    ///
+    /// ```text
+    ///   coverage   [ 84 201 255 255 255 255 255 255 ] [ 255 130   0   0   0  31  97   0 ]
+    /// ```
     ///
     /// By itself it takes them apart into runs.
     ///

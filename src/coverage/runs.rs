@@ -24,7 +24,9 @@ pub(crate) struct Runs<'s, S> {
     /// Where the open run starts.
     first: i32,
     length: usize,
+    /// Its pixels, if the sink takes eights; it is never longer than that.
     word: u64,
+    /// Its pixels, if not.
     pub(super) coverage: [u8; RUN],
 }
 
@@ -81,7 +83,8 @@ impl<'s, S: CoverageSink> Runs<'s, S> {
         if coverage == 0 { Ok(()) } else { self.sink.span(Span { row: self.row, columns: start..end }, coverage) }
     }
 
-    /// Sends what has been put into the buffer, for the pixels from `column` on: a run, without the zeros at its ends.
+    /// Sends what has been put into the buffer, for the pixels from `column` on: a run, without the zeros at its ends if it
+    /// has any.
     #[inline(always)]
     pub(crate) fn send_all(&mut self, mut column: i32, length: usize, has_zeros: bool) -> Result<(), S::Error> {
         let mut run = self.coverage.get(..length).unwrap_or_default();

@@ -56,13 +56,14 @@ fn send_side<const IS_RIGHT: bool, S: CoverageSink>(
         return send_run::<IS_RIGHT, S>(row, first, &[first_coverage, last_coverage], sink);
     }
     let mut area = ramp.second_area;
-    let mut column = first;
+    let mut start = first;
     run[0] = first_coverage;
     let mut length = 1;
-    for _ in first + 1..last {
+    // Not unrolled, as a full run is sent from inside the loop: most have a column or two between the first and the last.
+    for column in first + 1..last {
         if length >= RUN - 1 {
-            send_run::<IS_RIGHT, S>(row, column, run.get(..length).unwrap_or_default(), sink)?;
-            column = column.wrapping_add_unsigned(length as u32);
+            send_run::<IS_RIGHT, S>(row, start, run.get(..length).unwrap_or_default(), sink)?;
+            start = column;
             length = 0;
         }
         if let Some(slot) = run.get_mut(length) {
@@ -74,7 +75,7 @@ fn send_side<const IS_RIGHT: bool, S: CoverageSink>(
     if let Some(slot) = run.get_mut(length) {
         *slot = last_coverage;
     }
-    send_run::<IS_RIGHT, S>(row, column, run.get(..=length).unwrap_or_default(), sink)
+    send_run::<IS_RIGHT, S>(row, start, run.get(..=length).unwrap_or_default(), sink)
 }
 
 /// A run that may begin with zeros, on the left, or end with them, on the right.

@@ -107,10 +107,9 @@ impl Primitive for Triangle {
     #[inline(never)]
     fn draw_aliased<D: DrawTarget>(&self, paint: &Paint<D::Color>, target: &mut D) -> Result<(), D::Error> {
         let [a, b, c] = self.vertices;
-        if paint.sides.width == 0 || (paint.sides.width == 1 && paint.stroke.is_some()) {
-            if let Some(fill) = paint.fill {
-                crate::Triangle::new(a, b, c).filled(fill).draw(target)?;
-            }
+        let is_bare = paint.sides.width == 0 || (paint.sides.width == 1 && paint.stroke.is_some());
+        if is_bare && let Some(fill) = paint.fill {
+            crate::Triangle::new(a, b, c).filled(fill).draw(target)?;
         }
         let sides = Sides::new(&paint.sides);
         let Some(clockwise) = Clockwise::new(self) else {

@@ -62,7 +62,7 @@ impl Cover for Line {
             let rectangle = Rectangle::around(upper, lower);
             let rows = clip_range(&rectangle.rows(), &rows);
             let [left, right] = rectangle.sides();
-            send_straight(left, right, rows, &columns, true, sink)
+            send_straight(left, right, rows, &pixels.columns, &columns, sink)
         } else {
             wide_line::send_rows(upper, lower, &rows, &columns, sink)
         }

@@ -38,7 +38,7 @@ impl Cover for Triangle {
                 StraightSide { edge: edge(a, b), next: (b.y != c.y).then(|| edge(b, c)) }
             };
             let (left, right) = if side > 0 { (long, short) } else { (short, long) };
-            send_straight(left, right, rows, &columns, columns != pixels.columns, sink)
+            send_straight(left, right, rows, &pixels.columns, &columns, sink)
         } else {
             let side = side_of(a, b, c);
             if side == 0 {

@@ -22,10 +22,10 @@ use crate::{
     span::Span,
 };
 
-const SLOTS: usize = 16;
-
 /// So many columns, and one more, have slots of their own.
-const NEAR: i32 = SLOTS as i32 - 1;
+const NEAR: i32 = 15;
+
+const SLOTS: usize = NEAR as usize + 1;
 
 /// How the area changes, for both sides; all 0 between rows.
 #[derive(Debug, Default)]
@@ -98,9 +98,15 @@ impl<'c> Few<'c> {
         self.end.wrapping_sub(self.start) <= NEAR
     }
 
+    /// How the area changes in a column. Runs leave 0 behind, column by column; eights clear all slots later.
     #[inline(always)]
-    fn take<const KEEP: bool>(&mut self, column: i32) -> u32 {
-        self.slot(column).map_or(0, |change| if KEEP { *change } else { take(change) })
+    fn change_in<S: CoverageSink>(&mut self, column: i32) -> u32 {
+        self.slot(column).map_or(0, |change| if S::EIGHTS { *change } else { take(change) })
+    }
+
+    #[inline(always)]
+    fn clear(self) {
+        *self.changes = [0; SLOTS];
     }
 }
 
@@ -114,56 +120,65 @@ pub(super) fn send_few<S: CoverageSink>(
     runs: &mut Runs<'_, S>,
 ) -> Result<bool, S::Error> {
     let (start, end) = (left.start.min(right.start), left.end.max(right.end));
-    let is_one = end.wrapping_sub(start) <= NEAR;
-    let is_apart = left.end <= right.start && left.is_near() && right.is_near();
-    if !(is_one || is_apart) || start < columns.start || end > columns.end {
-        (*left.changes, *right.changes) = ([0; SLOTS], [0; SLOTS]);
-        return Ok(false);
+    let are_together = end.wrapping_sub(start) <= NEAR;
+    let are_apart = left.end <= right.start && left.is_near() && right.is_near();
+    let is_sent = (are_together || are_apart) && start >= columns.start && end <= columns.end;
+    if is_sent {
+        if are_together {
+            send_together(row, start..end, &mut left, &mut right, runs)?;
+        } else {
+            send_apart(row, &mut left, &mut right, runs)?;
+        }
     }
-    if S::EIGHTS {
-        let result = send_sides::<true, S>(row, &mut left, &mut right, is_one, runs);
-        (*left.changes, *right.changes) = ([0; SLOTS], [0; SLOTS]);
-        result?;
-    } else {
-        send_sides::<false, S>(row, &mut left, &mut right, is_one, runs)?;
+    if S::EIGHTS || !is_sent {
+        left.clear();
+        right.clear();
     }
-    Ok(true)
+    Ok(is_sent)
 }
 
 #[inline(always)]
-fn send_sides<const KEEP: bool, S: CoverageSink>(
+fn send_together<S: CoverageSink>(
     row: i32,
+    columns: Range<i32>,
     left: &mut Few<'_>,
     right: &mut Few<'_>,
-    is_one: bool,
     runs: &mut Runs<'_, S>,
 ) -> Result<(), S::Error> {
-    let (start, end) = (left.start.min(right.start), left.end.max(right.end));
     let mut area = 0_u32;
-    if is_one {
-        send_columns(row, start..end, i32::MAX, runs, |column| {
-            area = area.wrapping_add(left.take::<KEEP>(column)).wrapping_sub(right.take::<KEEP>(column));
-            area
-        })?;
-        return Ok(());
-    }
-    let (between, of_right) = (left.end..right.start, right.start..right.end);
-    let inside = send_columns(row, left.start..left.end, between.end, runs, |column| {
-        area = area.wrapping_add(left.take::<KEEP>(column));
-        area
-    })?;
-    let coverage = coverage_of(area);
-    if inside < between.end && coverage > 0 {
-        runs.sink.span(Span { row, columns: inside..between.end }, coverage)?;
-    }
-    send_columns(row, of_right, i32::MAX, runs, |column| {
-        area = area.wrapping_sub(right.take::<KEEP>(column));
+    send_columns(row, columns, i32::MAX, runs, |column| {
+        area = area.wrapping_add(left.change_in::<S>(column)).wrapping_sub(right.change_in::<S>(column));
         area
     })?;
     Ok(())
 }
 
-/// Sends columns, asking for the area in each of them and in the one after; as eights they may go on as far as `limit`. Where
+#[inline(always)]
+fn send_apart<S: CoverageSink>(
+    row: i32,
+    left: &mut Few<'_>,
+    right: &mut Few<'_>,
+    runs: &mut Runs<'_, S>,
+) -> Result<(), S::Error> {
+    let (of_left, of_right) = (left.start..left.end, right.start..right.end);
+    let mut area = 0_u32;
+    let inside = send_columns(row, of_left, of_right.start, runs, |column| {
+        area = area.wrapping_add(left.change_in::<S>(column));
+        area
+    })?;
+    let columns = inside..of_right.start;
+    let coverage = coverage_of(area);
+    if !columns.is_empty() && coverage > 0 {
+        runs.sink.span(Span { row, columns }, coverage)?;
+    }
+    send_columns(row, of_right, i32::MAX, runs, |column| {
+        area = area.wrapping_sub(right.change_in::<S>(column));
+        area
+    })?;
+    Ok(())
+}
+
+/// Sends columns, asking for the area in each of them and in the one after; in eights it may go on as far as `limit`. Where
 /// what is not sent begins is returned.
 #[inline(always)]
 fn send_columns<S: CoverageSink>(
@@ -173,38 +188,49 @@ fn send_columns<S: CoverageSink>(
     runs: &mut Runs<'_, S>,
     mut area: impl FnMut(i32) -> u32,
 ) -> Result<i32, S::Error> {
-    if S::EIGHTS {
-        let mut column = columns.start;
-        loop {
-            // Stored byte by byte, it would have to be waited for when it is loaded as a whole.
-            let mut word = 0_u64;
-            for lane in 0..EIGHT {
-                let area = area(column + lane);
-                let coverage = if column + lane < limit { coverage_of(area) } else { 0 };
-                word |= u64::from(coverage) << (8 * lane);
-            }
-            runs.sink.eights(row, column, &[word.to_le_bytes()])?;
-            column += EIGHT;
-            if column >= columns.end {
-                if column == columns.end {
-                    area(column);
-                }
-                return Ok(column.min(limit));
-            }
+    if !S::EIGHTS {
+        send_run(row, &columns, runs, area)?;
+        return Ok(columns.end);
+    }
+    let mut column = columns.start;
+    loop {
+        // A word, as eight bytes that were stored one by one would have to be waited for when they are loaded together.
+        let mut word = 0;
+        for lane in 0..EIGHT {
+            let area = area(column + lane);
+            let coverage = if column + lane < limit { coverage_of(area) } else { 0 };
+            word |= u64::from(coverage) << (8 * lane);
+        }
+        runs.sink.eights(row, column, &[word.to_le_bytes()])?;
+        column += EIGHT;
+        if column == columns.end {
+            area(column);
+        }
+        if column >= columns.end {
+            return Ok(column.min(limit));
         }
     }
+}
+
+#[inline(always)]
+fn send_run<S: CoverageSink>(
+    row: i32,
+    columns: &Range<i32>,
+    runs: &mut Runs<'_, S>,
+    mut area: impl FnMut(i32) -> u32,
+) -> Result<(), S::Error> {
     let length = columns.end.wrapping_sub(columns.start).cast_unsigned() as usize;
+    // Beyond a byte once there was a 0.
     let mut less_one = 0_u32;
     for (column, coverage) in columns.clone().zip(&mut runs.coverage) {
-        // Unrolled, it would be slower for the two or three columns that there are.
+        // Unrolled, it is slower for the two or three columns that there mostly are.
         black_box(());
         *coverage = coverage_of(area(column));
         less_one |= u32::from(*coverage).wrapping_sub(1);
     }
     area(columns.end);
     runs.start(row);
-    runs.send_all(columns.start, length, less_one > 255)?;
-    Ok(columns.end)
+    runs.send_all(columns.start, length, less_one > 255)
 }
 
 /// Column by column, but for what is between the sides.

@@ -46,7 +46,10 @@ impl Stepper {
     }
 }
 
-/// Rows that both edges cross from top to bottom.
+/// Rows that both edges cross from top to bottom. `is_cut`: the clip cuts some of them, perhaps.
+///
+/// As positions are rounded, an edge may stick out of the columns that its shape touches, by less than what rounds to any
+/// coverage. Runs leave that out anyway; eights must not begin there.
 #[inline(always)]
 pub(super) fn send_rows<const BITS: u32, S: CoverageSink>(
     left_edge: &mut Straight<BITS>,
@@ -59,11 +62,11 @@ pub(super) fn send_rows<const BITS: u32, S: CoverageSink>(
 ) -> Result<(), S::Error> {
     let (mut left, mut right) = (Stepper::new(left_edge), Stepper::new(right_edge));
     let (start, end) = (columns.start, columns.end);
-    let is_cut = is_cut || S::EIGHTS;
+    let is_checked = is_cut || S::EIGHTS;
     let end_row = rows.end;
     for row in rows {
         let (of_left, of_right) = (left.step(), right.step());
-        if of_left.last < of_right.first && (!is_cut || (of_left.first >= start && of_right.last < end)) {
+        if of_left.last < of_right.first && (!is_checked || (of_left.first >= start && of_right.last < end)) {
             send_between(row, (of_left, left.rise), (of_right, right.rise), runs)?;
         } else {
             send_cut(row, (of_left, left.rise), (of_right, right.rise), columns, changes, runs)?;

@@ -86,7 +86,11 @@ impl<const BITS: u32> Straight<BITS> {
 
     #[inline(always)]
     pub(super) fn at(&self, y: i32) -> i64 {
-        if y == self.until { self.end } else { self.position + ((self.step * i64::from((y - self.y).cast_unsigned())) >> BITS) }
+        if y == self.until {
+            self.end
+        } else {
+            self.position + ((self.step * i64::from((y - self.y).cast_unsigned())) >> BITS)
+        }
     }
 
     /// Takes it to a height on its way that is the top of a row.

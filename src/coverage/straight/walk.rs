@@ -14,18 +14,19 @@ use crate::coverage::{
     },
 };
 
-/// Sends what lies between two sides.
+/// Sends what lies between two sides, in some of the columns that they touch.
 #[inline(always)]
 pub(crate) fn send_straight<const BITS: u32, S: CoverageSink>(
     mut left: Side<BITS>,
     mut right: Side<BITS>,
     mut rows: Range<i32>,
+    touched: &Range<i32>,
     columns: &Range<i32>,
-    is_cut: bool,
     sink: &mut S,
 ) -> Result<(), S::Error> {
     left.skip_to(rows.start);
     right.skip_to(rows.start);
+    let is_cut = touched != columns;
     let mut runs = Runs::new(sink);
     let mut changes = Changes::default();
     while rows.start < rows.end {
