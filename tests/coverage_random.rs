@@ -107,6 +107,24 @@ fn random_small_shapes() {
     });
 }
 
+/// As large as a screen, and all of it: what is far apart in a row, and how one part of it follows the other.
+#[test]
+fn random_shapes_on_a_whole_screen() {
+    let screen = rect(0..320, 0..240);
+    let vertex = |rng: &mut Rng| Vertex::from_bits(rng.int(-30_000..=110_000) as i32, rng.int(-30_000..=90_000) as i32);
+    compare("large triangles", 224, 60, 2, EXACT, |rng| {
+        (Triangle::from_vertices([vertex(rng), vertex(rng), vertex(rng)]), screen.clone())
+    });
+    compare("large lines", 225, 60, 2, EXACT, |rng| (Line::new(vertex(rng), vertex(rng)), screen.clone()));
+    compare("large circles", 226, 120, 2, CIRCLES, |rng| {
+        (Circle::from_bits(vertex(rng), rng.int(1..=70_000) as i32), screen.clone())
+    });
+    compare("large polygons", 227, 60, 2, EXACT, |rng| {
+        let contours = (0..1 + rng.index(3)).map(|_| (0..3 + rng.index(9)).map(|_| vertex(rng)).collect()).collect();
+        (Outline::new(contours, random::fill_rule(rng)), screen.clone())
+    });
+}
+
 /// The corner of a pixel, near the origin or anywhere.
 fn corner(rng: &mut Rng) -> (i64, i64) {
     let (x, y) = random::place(rng);

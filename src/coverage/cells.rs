@@ -107,12 +107,14 @@ impl<'c> Cells<'c> {
         let (start, end) = (index(touched.start), index(touched.end));
         let columns = touched.start..self.columns.end;
         if !S::EIGHTS {
-            let Some(cells) = self.cells.get_mut(start..end) else { return Ok(()) };
-            return send_in_runs(row, columns, cells, runs);
+            let cells = self.cells.get_mut(start..end).unwrap_or_default();
+            return if cells.is_empty() { Ok(()) } else { send_in_runs(row, columns, cells, runs) };
         }
         runs.finish()?;
-        let Some(cells) = self.cells.get_mut(start..index(self.columns.end)) else { return Ok(()) };
-        let width = end.saturating_sub(start);
-        if width == 0 { Ok(()) } else { send_in_eights(row, columns, width, cells, runs.sink) }
+        // Whole eights, as far as there are columns and cells.
+        let end = start + end.saturating_sub(start).next_multiple_of(8);
+        let end = end.min(index(self.columns.end)).min(self.cells.len());
+        let cells = self.cells.get_mut(start..end).unwrap_or_default();
+        if cells.is_empty() { Ok(()) } else { send_in_eights(row, columns, cells, runs.sink) }
     }
 }

@@ -74,19 +74,16 @@ fn after(column: i32, columns: usize) -> i32 {
     column.wrapping_add_unsigned(u32::try_from(columns).unwrap_or(0))
 }
 
-/// Sends `columns`, each of which has a cell, in eights and spans of eights: most outlines have an edge in every other eight,
-/// and an eight that is all inside is blended in less time than a span is started. All of the cells in the first `width`
-/// columns are 0 after that; the others are already.
+/// The same in eights, and in spans of eights: most outlines have an edge in every other eight, and an eight that is all inside
+/// is blended in less time than a span is started.
 #[inline(always)]
 pub(super) fn send_in_eights<S: CoverageSink>(
     row: i32,
     columns: Range<i32>,
-    width: usize,
     cells: &mut [Cell],
     sink: &mut S,
 ) -> Result<(), S::Error> {
-    let touched = width.next_multiple_of(8).min(cells.len());
-    let (eights, rest) = cells.get_mut(..touched).unwrap_or_default().as_chunks_mut::<8>();
+    let (eights, rest) = cells.as_chunks_mut::<8>();
     let mut open = OpenEights { sink, row, column: columns.start, eights: [[0; 8]; OPEN], count: 0 };
     let mut area = 0_u32;
     let mut place = 0;
@@ -104,17 +101,10 @@ pub(super) fn send_in_eights<S: CoverageSink>(
         }
         place += 1;
     }
-    if rest.is_empty() {
-        return open.span(columns.end, coverage_of(area));
+    if !rest.is_empty() {
+        open.push_last(rest, &mut area)?;
     }
-    // The last columns; what is to their right has coverage 0.
-    let mut coverage = [0; 8];
-    for (coverage, cell) in coverage.iter_mut().zip(rest) {
-        area = area.wrapping_add(take(&mut cell.0).cast_unsigned());
-        *coverage = coverage_of(area);
-    }
-    open.send()?;
-    open.sink.eights(row, open.column, &[coverage])
+    open.span(columns.end, coverage_of(area))
 }
 
 /// So many eights are sent together, at most.
@@ -144,6 +134,20 @@ impl<S: CoverageSink> OpenEights<'_, S> {
         self.count += 1;
         self.column += 8;
         if self.count < OPEN { Ok(()) } else { self.send() }
+    }
+
+    /// Fewer than eight: what is to their right is none of it.
+    #[inline(always)]
+    fn push_last(&mut self, changes: &mut [Cell], area: &mut u32) -> Result<(), S::Error> {
+        let mut coverage = [0; 8];
+        for (coverage, change) in coverage.iter_mut().zip(&mut *changes) {
+            *area = area.wrapping_add(take(&mut change.0).cast_unsigned());
+            *coverage = coverage_of(*area);
+        }
+        self.send()?;
+        self.sink.eights(self.row, self.column, &[coverage])?;
+        self.column = after(self.column, changes.len());
+        Ok(())
     }
 
     /// Columns that are all alike, up to `end`; there may be none.
