@@ -125,6 +125,22 @@ fn random_shapes_on_a_whole_screen() {
     });
 }
 
+/// Runs are sent when they are full: wherever that is, nothing is lost, left or right.
+#[test]
+fn edges_across_any_number_of_columns() {
+    let worst = Worst::new();
+    for columns in 1..=100 {
+        let across = 4 * 256 * columns;
+        let [left, right, tip] = [(300, 51), (300 + 2 * across, 51), (300 + across + 90, 51 + 4 * 256)];
+        let vertices = [left, right, tip].map(|(x, y)| Vertex::from_bits(x, y));
+        let window = rect(0..8 * columns + 4, -1..6);
+        for triangle in [vertices, vertices.map(|vertex| Vertex { y: -vertex.y, ..vertex })] {
+            let window = PixelRect { rows: window.rows.start.min(-6)..window.rows.end, ..window.clone() };
+            check_coverage(&Triangle::from_vertices(triangle), &window, EXACT, &worst).expect("the exact areas");
+        }
+    }
+}
+
 /// The corner of a pixel, near the origin or anywhere.
 fn corner(rng: &mut Rng) -> (i64, i64) {
     let (x, y) = random::place(rng);
