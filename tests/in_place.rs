@@ -148,6 +148,25 @@ fn a_shape_in_memory_is_the_one_that_is_read_back() {
     assert!(seen > 10_000, "only {seen} shapes were seen");
 }
 
+/// Positions are rounded, of thin lines as far as 2^-16 pixel, and an edge on the right border counts to the column after it:
+/// nothing of that may get lost.
+#[test]
+fn edges_on_the_borders_are_not_lost() {
+    const WIDTH: i32 = 12;
+    let area = Rectangle::new(Point::zero(), Size::new(WIDTH as u32, 40));
+    for (top, height) in (0..64).flat_map(|top| (1..40).map(move |rows| (4 * top, 255 * rows))) {
+        for (from, to) in [(0, 0), (0, 1), (1, 0), (2, 0), (0, 5), (40, 0), (0, 300)] {
+            for mirror in [false, true] {
+                let at = |x: i32, y: i32| Vertex::from_bits(if mirror { 256 * WIDTH - x } else { x }, y);
+                let line = Line::new(at(128 + from, 128 + top), at(128 + to, 128 + top + height));
+                assert!(check_alike(&line, area, 255));
+                let vertices = [at(from, top), at(to, top + height), at(2000, top + height)];
+                assert!(check_alike(&Triangle::from_vertices(vertices), area, 255));
+            }
+        }
+    }
+}
+
 /// Runs and spans that leave the row are cut, as everywhere.
 #[test]
 fn what_leaves_the_row_is_cut() {

@@ -48,8 +48,8 @@ impl Stepper {
 
 /// Rows that both edges cross from top to bottom. `is_cut`: the clip cuts some of them, perhaps.
 ///
-/// As positions are rounded, an edge may stick out of the columns that its shape touches, by less than what rounds to any
-/// coverage. Runs leave that out anyway; eights must not begin there.
+/// An edge on the right border of what its shape touches counts to the column after that, and leaves nothing there. A run ends before
+/// it; eights, which would go as far, are kept within.
 #[inline(always)]
 pub(super) fn send_rows<const BITS: u32, S: CoverageSink>(
     left_edge: &mut Straight<BITS>,
