@@ -8,6 +8,7 @@ use crate::{
     coverage::{
         Cell, Cells, CoverageSink, Ramp, Runs,
         circle_chords::{BITS, Center, Chord, FINER, LARGEST_RADIUS, Outline, Point, ROW},
+        few::{Changes, NEAR, send_few},
         ramp::height_in,
         sides::send_between,
     },
@@ -47,8 +48,16 @@ impl NearCircle {
     ) -> Result<(), S::Error> {
         let outline = Outline::new(self.radius.unsigned_abs());
         let center = Center::new(self.x);
-        Walk { outline, center, touched, columns, runs: Runs::new(sink), cells: [Cell::EMPTY; 2 * SIDE] }
-            .send(self.y, rows)
+        Walk {
+            outline,
+            center,
+            touched,
+            columns,
+            runs: Runs::new(sink),
+            changes: Changes::default(),
+            cells: [Cell::EMPTY; 2 * SIDE],
+        }
+        .send(self.y, rows)
     }
 }
 
@@ -58,6 +67,7 @@ struct Walk<'s, S> {
     touched: Range<i32>,
     columns: Range<i32>,
     runs: Runs<'s, S>,
+    changes: Changes,
     /// All 0 between two rows.
     cells: [Cell; 2 * SIDE],
 }
@@ -99,7 +109,7 @@ impl<S: CoverageSink> Walk<'_, S> {
     /// Sends any row.
     #[inline(never)]
     fn send_cells(&mut self, row: i32, upper: Point, lower: Point) -> Result<(), S::Error> {
-        let Self { outline, center, touched, columns, runs, cells } = self;
+        let Self { outline, center, touched, columns, runs, changes, cells } = self;
         let center = *center;
         let inner = upper.width.min(lower.width);
         let outer = if upper.y < 0 && lower.y > 0 { outline.radius } else { upper.width.max(lower.width) };
@@ -108,6 +118,17 @@ impl<S: CoverageSink> Walk<'_, S> {
         let outer = outer + ROW;
         let left = center.column_at(center.left(outer))..center.column_at(center.left(inner)) + 2;
         let right = center.column_at(center.right(inner))..center.column_at(center.right(outer)) + 2;
+        let near = |side: &Range<i32>| side.end - side.start <= NEAR;
+        if (near(&left) && near(&right)) || right.end - left.start <= NEAR {
+            let (mut of_left, mut of_right) = changes.sides();
+            outline.chords(upper, lower, &mut |chord: &Chord| {
+                of_left.add(&chord.left(center, touched));
+                of_right.add(&chord.right(center, touched));
+            });
+            if send_few(row, of_left, of_right, columns, runs)? {
+                return Ok(());
+            }
+        }
         let columns = columns.start..columns.end + i32::from(columns.end == touched.end);
         if (right.end - left.start).unsigned_abs() as usize <= 2 * SIDE {
             let zone = clip_range(&(left.start..right.end), &columns);

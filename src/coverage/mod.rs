@@ -7,6 +7,7 @@ mod circle_chords;
 mod circle_rows;
 mod convex;
 mod eights;
+mod few;
 mod ramp;
 mod runs;
 mod samples;

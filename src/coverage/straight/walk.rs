@@ -6,12 +6,9 @@ use heapless::Vec;
 
 use crate::coverage::{
     CoverageSink,
+    few::{Changes, send_far, send_few},
     runs::Runs,
-    straight::{
-        few::{Changes, send_far, send_few},
-        rows::send_rows,
-        side::Side,
-    },
+    straight::{rows::send_rows, side::Side},
 };
 
 /// Sends what lies between two sides, in some of the columns that they touch.

@@ -23,7 +23,7 @@ use crate::{
 };
 
 /// So many columns, and one more, have slots of their own.
-const NEAR: i32 = 15;
+pub(super) const NEAR: i32 = 15;
 
 const SLOTS: usize = NEAR as usize + 1;
 
