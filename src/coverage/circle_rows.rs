@@ -125,7 +125,7 @@ impl<S: CoverageSink> Walk<'_, S> {
                 of_left.add(&chord.left(center, touched));
                 of_right.add(&chord.right(center, touched));
             });
-            if send_few(row, of_left, of_right, columns, runs)? {
+            if send_few::<true, S>(row, of_left, of_right, columns, runs)? {
                 return Ok(());
             }
         }

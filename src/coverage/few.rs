@@ -17,7 +17,7 @@ use crate::{
         CoverageSink,
         eights::EIGHT,
         ramp::{Ramp, coverage_of},
-        runs::Runs,
+        runs::{Runs, SPAN},
     },
     span::Span,
 };
@@ -111,8 +111,10 @@ impl<'c> Few<'c> {
 }
 
 /// Sends what lies between two sides, if it can be told from the slots and the clip does not cut it.
+///
+/// `ROUND`: also where both sides are near each other there may be pixels inside, as in circles. In runs, they are sent as a span.
 #[inline(always)]
-pub(super) fn send_few<S: CoverageSink>(
+pub(super) fn send_few<const ROUND: bool, S: CoverageSink>(
     row: i32,
     mut left: Few<'_>,
     mut right: Few<'_>,
@@ -120,7 +122,8 @@ pub(super) fn send_few<S: CoverageSink>(
     runs: &mut Runs<'_, S>,
 ) -> Result<bool, S::Error> {
     let (start, end) = (left.start.min(right.start), left.end.max(right.end));
-    let are_together = end.wrapping_sub(start) <= NEAR;
+    let are_together =
+        end.wrapping_sub(start) <= NEAR && (!ROUND || S::EIGHTS || right.start.wrapping_sub(left.end) < SPAN);
     let are_apart = left.end <= right.start && left.is_near() && right.is_near();
     let is_sent = (are_together || are_apart) && start >= columns.start && end <= columns.end;
     if is_sent {

@@ -14,7 +14,7 @@ use crate::{
 pub(crate) const RUN: usize = 32;
 
 /// Fewer pixels of one coverage stay in the run that they are part of.
-const SPAN: i32 = 4;
+pub(super) const SPAN: i32 = 4;
 
 /// Takes the coverage of a row, columns to the right, and sends runs and spans.
 #[derive(Debug)]

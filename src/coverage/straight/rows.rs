@@ -88,7 +88,7 @@ fn send_cut<S: CoverageSink>(
     let (mut of_left, mut of_right) = changes.sides();
     of_left.add(&Ramp::new(left.0, FULL, left.1));
     of_right.add(&Ramp::new(right.0, FULL, right.1));
-    if send_few(row, of_left, of_right, columns, runs)? {
+    if send_few::<false, S>(row, of_left, of_right, columns, runs)? {
         return Ok(());
     }
     send_far_cut(row, left, right, columns, runs)

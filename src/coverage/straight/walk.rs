@@ -60,7 +60,7 @@ fn send_pieces<const BITS: u32, S: CoverageSink>(
     let (mut of_left, mut of_right) = changes.sides();
     let left_foot = left.pieces(row, |ramp| of_left.add(ramp));
     let right_foot = right.pieces(row, |ramp| of_right.add(ramp));
-    if !send_few(row, of_left, of_right, columns, runs)? {
+    if !send_few::<false, S>(row, of_left, of_right, columns, runs)? {
         send_far_pieces(left, right, row, columns, runs)?;
     }
     left.go_to(left_foot);
