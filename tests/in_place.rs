@@ -11,7 +11,8 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 use spanfill::{
-    Blend, Circle, Cover, FillRule, InPlace, Line, Mix, PixelRows, Polygon, ReadBack, Triangle, Vertex, prelude::*,
+    Blend, Circle, Cover, FillRule, InPlace, Line, Linear, Mix, PixelRows, Polygon, ReadBack, Triangle, Vertex,
+    prelude::*,
 };
 
 /// A frame, or a part of a screen, with a border of pixels that must stay as they are.
@@ -109,11 +110,22 @@ fn eight_colours_are_mixed_as_each_by_itself() {
 
 fn check_alike(shape: &(impl Cover + Clone), area: Rectangle, opacity: u8) -> bool {
     let before = Memory::new(area, |index| Rgb565::from(<Rgb565 as PixelColor>::Raw::from_u32(raw(index))));
-    let (mut in_place, mut read_back) = (before.clone(), before.clone());
-    let drawn = shape.clone().antialiased(Rgb565::new(29, 11, 3), InPlace).opacity(opacity);
-    let Ok(()) = drawn.draw_on(&mut in_place);
-    let Ok(()) = shape.clone().antialiased(Rgb565::new(29, 11, 3), ReadBack).opacity(opacity).draw_on(&mut read_back);
-    assert!(in_place == read_back, "{area:?}, opacity {opacity}: {:?}", shape.touched());
+    let draw = |blend: &dyn Fn(&mut Memory<Rgb565>)| {
+        let mut memory = before.clone();
+        blend(&mut memory);
+        memory
+    };
+    macro_rules! drawn {
+        ($blend:expr) => {
+            draw(&|memory| {
+                let Ok(()) = shape.clone().antialiased(Rgb565::new(29, 11, 3), $blend).opacity(opacity).draw_on(memory);
+            })
+        };
+    }
+    let in_place = drawn!(InPlace);
+    assert!(in_place == drawn!(ReadBack), "{area:?}, opacity {opacity}: {:?}", shape.touched());
+    let in_light = drawn!(Linear(InPlace));
+    assert!(in_light == drawn!(Linear(ReadBack)), "in light: {area:?}, opacity {opacity}: {:?}", shape.touched());
     in_place != before
 }
 

@@ -147,6 +147,7 @@ fn cover(shape: &impl Cover, clip: &PixelRect, display: &mut Display) {
     blend(shape, ReadBack, display);
     blend(shape, Linear(ReadBack), display);
     blend(shape, InPlace, display);
+    blend(shape, Linear(InPlace), display);
     let (start, sides) = (black_box(Point::zero()), black_box([0; 8]));
     let Ok(()) = InPlace.eights(display, start, Rgb565::RED, &[sides, sides]);
     let Ok(()) = InPlace.span_with_sides(display, start, black_box(0), Rgb565::RED, &sides);

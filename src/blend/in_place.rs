@@ -29,18 +29,42 @@ use crate::{
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct InPlace;
 
+impl InPlace {
+    /// Draws a run, each pixel by itself.
+    #[inline(always)]
+    pub(super) fn run_by<C: Copy, D: PixelRows<Color = C>>(
+        target: &mut D,
+        start: Point,
+        alphas: &[u8],
+        over: impl Fn(C, u8) -> C,
+    ) {
+        if let Some(row) = target.row_from(start) {
+            match row.get_mut(..alphas.len()) {
+                Some(row) => mix(row, alphas, over),
+                None => mix_cut(row, alphas, over),
+            }
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn fill_row<C: Copy, D: PixelRows<Color = C>>(target: &mut D, start: Point, width: u32, colour: C) {
+        if let Some(row) = target.row_from(start) {
+            let width = usize::try_from(width).unwrap_or(usize::MAX);
+            match row.get_mut(..width) {
+                Some(row) => fill(row, colour),
+                None => fill_cut(row, colour),
+            }
+        }
+    }
+}
+
 impl<C: Mix, D: PixelRows<Color = C>> Blend<D> for InPlace {
     /// Eight narrow colours fill a register of 128 bits; a microcontroller would mix them one by one.
     const EIGHTS: bool = cfg!(target_pointer_width = "64");
 
     #[inline]
     fn run(&self, target: &mut D, start: Point, colour: C, alphas: &[u8]) -> Result<(), D::Error> {
-        if let Some(row) = target.row_from(start) {
-            match row.get_mut(..alphas.len()) {
-                Some(row) => mix(row, colour, alphas),
-                None => mix_cut(row, colour, alphas),
-            }
-        }
+        Self::run_by(target, start, alphas, move |backdrop, alpha| colour.over(backdrop, alpha));
         Ok(())
     }
 
@@ -56,7 +80,7 @@ impl<C: Mix, D: PixelRows<Color = C>> Blend<D> for InPlace {
         let (eights, rest) = row.as_chunks_mut();
         colour.over_eights(eights, alphas);
         if let Some(alphas) = alphas.get(eights.len()) {
-            mix_cut(rest, colour, alphas);
+            mix_cut(rest, alphas, move |backdrop, alpha| colour.over(backdrop, alpha));
         }
         Ok(())
     }
@@ -85,31 +109,25 @@ impl<C: Mix, D: PixelRows<Color = C>> Blend<D> for InPlace {
 
     #[inline]
     fn fill(&self, target: &mut D, start: Point, width: u32, colour: C) -> Result<(), D::Error> {
-        if let Some(row) = target.row_from(start) {
-            let width = usize::try_from(width).unwrap_or(usize::MAX);
-            match row.get_mut(..width) {
-                Some(row) => fill(row, colour),
-                None => fill_cut(row, colour),
-            }
-        }
+        Self::fill_row(target, start, width, colour);
         Ok(())
     }
 }
 
 #[inline(always)]
-fn mix<C: Mix>(row: &mut [C], colour: C, alphas: &[u8]) {
+fn mix<C: Copy>(row: &mut [C], alphas: &[u8], over: impl Fn(C, u8) -> C) {
     for (pixel, &alpha) in row.iter_mut().zip(alphas) {
         // See `ReadBack`: runs are too short to be unrolled.
         black_box(());
-        *pixel = colour.over(*pixel, alpha);
+        *pixel = over(*pixel, alpha);
     }
 }
 
 /// What the target's right edge cuts, as nothing of a shape is but the empty end of an eight.
 #[cold]
 #[inline(never)]
-fn mix_cut<C: Mix>(row: &mut [C], colour: C, alphas: &[u8]) {
-    mix(row, colour, alphas);
+fn mix_cut<C: Copy>(row: &mut [C], alphas: &[u8], over: impl Fn(C, u8) -> C) {
+    mix(row, alphas, over);
 }
 
 #[cold]

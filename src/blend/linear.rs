@@ -11,7 +11,10 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 
-use crate::blend::{Blend, Mix, Over, ReadBack, srgb::light};
+use crate::{
+    blend::{Blend, InPlace, Mix, Over, ReadBack, srgb::light},
+    target::PixelRows,
+};
 
 /// A colour that can be mixed with another as light adds up: every colour of embedded-graphics.
 ///
@@ -52,7 +55,8 @@ pub trait MixLinear: PixelColor {
     fn over_linear(self, backdrop: Self, alpha: u8) -> Self;
 }
 
-/// Blends as light adds up, not as the numbers of colours do: `Linear(Over(background))` or `Linear(ReadBack)`.
+/// Blends as light adds up, not as the numbers of colours do: `Linear(Over(background))`, `Linear(ReadBack)` or
+/// `Linear(InPlace)`.
 ///
 /// Thin bright shapes on a dark background keep their weight; without it they look thinner than they are, and dark ones
 /// on a bright background thicker. See [`MixLinear`] for the rule.
@@ -85,7 +89,7 @@ impl<C: MixLinear, D: DrawTarget<Color = C>> Blend<D> for Linear<Over<C>> {
     #[inline]
     fn run(&self, target: &mut D, start: Point, colour: C, alphas: &[u8]) -> Result<(), D::Error> {
         let Self(Over(background)) = *self;
-        Over::run_by(target, start, alphas, |alpha| colour.over_linear(background, alpha))
+        Over::run_by(target, start, alphas, move |alpha| colour.over_linear(background, alpha))
     }
 
     #[inline]
@@ -98,7 +102,22 @@ impl<C: MixLinear, D: DrawTarget<Color = C>> Blend<D> for Linear<Over<C>> {
 impl<C: MixLinear, D: DrawTarget<Color = C> + GetPixel<Color = C>> Blend<D> for Linear<ReadBack> {
     #[inline]
     fn run(&self, target: &mut D, start: Point, colour: C, alphas: &[u8]) -> Result<(), D::Error> {
-        ReadBack::run_by(target, start, alphas, |backdrop, alpha| colour.over_linear(backdrop, alpha))
+        ReadBack::run_by(target, start, alphas, move |backdrop, alpha| colour.over_linear(backdrop, alpha))
+    }
+}
+
+/// Pixel by pixel: a search in a table is nothing for a register of eight lanes.
+impl<C: MixLinear, D: PixelRows<Color = C>> Blend<D> for Linear<InPlace> {
+    #[inline]
+    fn run(&self, target: &mut D, start: Point, colour: C, alphas: &[u8]) -> Result<(), D::Error> {
+        InPlace::run_by(target, start, alphas, move |backdrop, alpha| colour.over_linear(backdrop, alpha));
+        Ok(())
+    }
+
+    #[inline]
+    fn fill(&self, target: &mut D, start: Point, width: u32, colour: C) -> Result<(), D::Error> {
+        InPlace::fill_row(target, start, width, colour);
+        Ok(())
     }
 }
 

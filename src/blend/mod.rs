@@ -30,7 +30,7 @@ use embedded_graphics_core::{
 /// | [`ReadBack`] | have `GetPixel` | what it shows | framebuffers, bands |
 /// | [`InPlace`] | have [`PixelRows`](crate::PixelRows) | what it shows | the same, faster |
 /// | [`Dither`] | only take pixels | stays, pixel by pixel | one or two bits a pixel |
-/// | [`Linear`] | as within it | as within it | [`Over`] or [`ReadBack`] as light adds up |
+/// | [`Linear`] | as within it | as within it | [`Over`], [`ReadBack`] or [`InPlace`] as light adds up |
 ///
 /// `alpha` is how opaque the colour is, in 255ths: how much of the pixel the shape covers, times its opacity. From 0,
 /// which leaves what is behind as it is, to 255, the colour itself. [`AntiAliased`](crate::AntiAliased) fills what is

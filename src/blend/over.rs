@@ -63,7 +63,7 @@ impl<C: PixelColor> Over<C> {
 impl<C: Mix, D: DrawTarget<Color = C>> Blend<D> for Over<C> {
     #[inline]
     fn run(&self, target: &mut D, start: Point, colour: C, alphas: &[u8]) -> Result<(), D::Error> {
-        Self::run_by(target, start, alphas, |alpha| colour.over(self.0, alpha))
+        Self::run_by(target, start, alphas, move |alpha| colour.over(self.0, alpha))
     }
 
     #[inline]

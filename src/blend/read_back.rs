@@ -73,6 +73,6 @@ impl ReadBack {
 impl<C: Mix, D: DrawTarget<Color = C> + GetPixel<Color = C>> Blend<D> for ReadBack {
     #[inline]
     fn run(&self, target: &mut D, start: Point, colour: C, alphas: &[u8]) -> Result<(), D::Error> {
-        Self::run_by(target, start, alphas, |backdrop, alpha| colour.over(backdrop, alpha))
+        Self::run_by(target, start, alphas, move |backdrop, alpha| colour.over(backdrop, alpha))
     }
 }
