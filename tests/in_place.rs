@@ -110,17 +110,13 @@ fn eight_colours_are_mixed_as_each_by_itself() {
 
 fn check_alike(shape: &(impl Cover + Clone), area: Rectangle, opacity: u8) -> bool {
     let before = Memory::new(area, |index| Rgb565::from(<Rgb565 as PixelColor>::Raw::from_u32(raw(index))));
-    let draw = |blend: &dyn Fn(&mut Memory<Rgb565>)| {
-        let mut memory = before.clone();
-        blend(&mut memory);
-        memory
-    };
     macro_rules! drawn {
-        ($blend:expr) => {
-            draw(&|memory| {
-                let Ok(()) = shape.clone().antialiased(Rgb565::new(29, 11, 3), $blend).opacity(opacity).draw_on(memory);
-            })
-        };
+        ($blend:expr) => {{
+            let mut memory = before.clone();
+            let drawn = shape.clone().antialiased(Rgb565::new(29, 11, 3), $blend).opacity(opacity);
+            let Ok(()) = drawn.draw_on(&mut memory);
+            memory
+        }};
     }
     let in_place = drawn!(InPlace);
     assert!(in_place == drawn!(ReadBack), "{area:?}, opacity {opacity}: {:?}", shape.touched());

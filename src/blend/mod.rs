@@ -87,7 +87,7 @@ pub trait Blend<D: DrawTarget>: Copy {
     }
 
     /// Draws `width` pixels, of which there are at least eight, from `start` to the right: the first four and the last four
-    /// as `sides` tells, the others in the colour itself.
+    /// as `sides` tells, the others in the colour itself. Those of alpha 0 stay, as of [eights](Self::eights).
     ///
     /// # Errors
     ///

@@ -13,7 +13,7 @@
 use crate::{
     coverage::{
         CoverageSink,
-        ramp::{Extent, FULL, Ramp, coverage_of},
+        ramp::{Extent, FULL, Ramp, coverage_beside},
         slope::Steepness,
     },
     span::Span,
@@ -34,7 +34,7 @@ impl Ramp {
         let mut area = self.second_area.wrapping_add(before.wrapping_mul(self.step));
         let mut coverage = [0; EIGHT as usize];
         for coverage in &mut coverage {
-            *coverage = coverage_of(if IS_RIGHT { FULL.wrapping_sub(area) } else { area });
+            *coverage = coverage_beside::<IS_RIGHT>(area);
             area = area.wrapping_add(self.step);
         }
         u64::from_le_bytes(coverage)
@@ -44,7 +44,7 @@ impl Ramp {
     /// them is the inside of a left edge, and nothing of a right one.
     #[inline(always)]
     fn few<const IS_RIGHT: bool>(&self) -> u64 {
-        let covered = |area: u32| u64::from(coverage_of(if IS_RIGHT { FULL.wrapping_sub(area) } else { area }));
+        let covered = |area: u32| u64::from(coverage_beside::<IS_RIGHT>(area));
         let across = (self.last - self.first).cast_unsigned();
         let word = covered(self.first_area) | (covered(self.second_area) << 8) | (covered(self.last_area) << 16);
         let crossed = (1_u64 << 8 << (8 * across)) - 1;
@@ -64,7 +64,7 @@ pub(super) fn send_between<S: CoverageSink>(
     let (left_word, right_word) = if left.1.is_steep() && right.1.is_steep() {
         (two::<false>(left.0, left.1), two::<true>(right.0, right.1))
     } else if left.0.last - start < FEW && end - right.0.first <= FEW {
-        (Ramp::new_few(left.0, FULL, left.1).few::<false>(), Ramp::new_few(right.0, FULL, right.1).few::<true>())
+        (Ramp::new_few(left.0, left.1).few::<false>(), Ramp::new_few(right.0, right.1).few::<true>())
     } else {
         let inside = send_left(row, left.0, left.1, right.0.first, sink)?;
         return send_right(row, right.0, right.1, inside, sink);
@@ -83,7 +83,7 @@ pub(super) fn send_between<S: CoverageSink>(
 #[inline(always)]
 fn two<const IS_RIGHT: bool>(extent: Extent, steepness: Steepness) -> u64 {
     let (first, last) = Ramp::ends_of_steep(extent, steepness);
-    let covered = |area: u32| u64::from(coverage_of(if IS_RIGHT { FULL.wrapping_sub(area) } else { area }));
+    let covered = |area: u32| u64::from(coverage_beside::<IS_RIGHT>(area));
     let word = covered(first) | (covered(last) << 8);
     if IS_RIGHT { word } else { word | (u64::MAX << 16) }
 }
@@ -103,20 +103,22 @@ fn send_left<S: CoverageSink>(
         (word & (u64::MAX >> (8 * excess))).to_le_bytes()
     };
     if last - first < FEW {
-        let word = Ramp::new_few(extent, FULL, steepness).few::<false>();
+        let word = Ramp::new_few(extent, steepness).few::<false>();
         sink.eights(row, first, &[masked(first, word)])?;
         return Ok(end.min(first + EIGHT));
     }
     let ramp = Ramp::new(extent, FULL, steepness);
     let mut column = first;
-    let mut word = (ramp.eight_between::<false>(column) & !0xFF) | u64::from(coverage_of(ramp.first_area));
+    let mut word = (ramp.eight_between::<false>(column) & !0xFF) | u64::from(coverage_beside::<false>(ramp.first_area));
     while column + EIGHT <= last {
         sink.eights(row, column, &[word.to_le_bytes()])?;
         column += EIGHT;
         word = ramp.eight_between::<false>(column);
     }
     let at_last = 8 * (last - column).cast_unsigned();
-    let word = (word & ((1 << at_last) - 1)) | (u64::from(coverage_of(ramp.last_area)) << at_last) | (!0xFF << at_last);
+    let word = (word & ((1 << at_last) - 1))
+        | (u64::from(coverage_beside::<false>(ramp.last_area)) << at_last)
+        | (!0xFF << at_last);
     sink.eights(row, column, &[masked(column, word)])?;
     Ok(end.min(column + EIGHT))
 }
@@ -137,12 +139,12 @@ fn send_right<S: CoverageSink>(
         sink.span(Span { row, columns: inside..column }, 255)?;
     }
     if across < FEW {
-        let word = Ramp::new_few(extent, FULL, steepness).few::<true>();
+        let word = Ramp::new_few(extent, steepness).few::<true>();
         let before = 8 * (first - column).cast_unsigned();
         return sink.eights(row, column, &[((word << before) | ((1 << before) - 1)).to_le_bytes()]);
     }
     let ramp = Ramp::new(extent, FULL, steepness);
-    let covered = |area: u32| u64::from(coverage_of(FULL.wrapping_sub(area)));
+    let covered = |area: u32| u64::from(coverage_beside::<true>(area));
     let at_first = 8 * (first - column).cast_unsigned();
     let mut word = ramp.eight_between::<true>(column) & (!0xFF << at_first);
     word |= (covered(ramp.first_area) << at_first) | ((1 << at_first) - 1);

@@ -82,6 +82,7 @@ impl<'c> Few<'c> {
                 change(first + 1, ramp.second_area.wrapping_sub(area));
                 area = ramp.second_area;
                 for column in first + 2..last {
+                    // As in `send_run`.
                     black_box(());
                     change(column, ramp.step);
                     area = area.wrapping_add(ramp.step);
@@ -130,7 +131,7 @@ pub(super) fn send_few<const ROUND: bool, S: CoverageSink>(
         if are_together {
             send_together(row, start..end, &mut left, &mut right, runs)?;
         } else {
-            send_apart(row, &mut left, &mut right, runs)?;
+            send_separately(row, &mut left, &mut right, runs)?;
         }
     }
     if S::EIGHTS || !is_sent {
@@ -157,7 +158,7 @@ fn send_together<S: CoverageSink>(
 }
 
 #[inline(always)]
-fn send_apart<S: CoverageSink>(
+fn send_separately<S: CoverageSink>(
     row: i32,
     left: &mut Few<'_>,
     right: &mut Few<'_>,
@@ -234,40 +235,4 @@ fn send_run<S: CoverageSink>(
     area(columns.end);
     runs.start(row);
     runs.send_all(columns.start, length, less_one > 255)
-}
-
-/// Column by column, but for what is between the sides.
-#[inline(never)]
-pub(super) fn send_far<S: CoverageSink>(
-    row: i32,
-    ramps: &[(Ramp, u32)],
-    columns: &Range<i32>,
-    runs: &mut Runs<'_, S>,
-) -> Result<(), S::Error> {
-    runs.start(row);
-    let (mut start, mut end) = (i32::MAX, i32::MIN);
-    let (mut left_end, mut right_start) = (i32::MIN, i32::MAX);
-    for (ramp, sign) in ramps {
-        (start, end) = (start.min(ramp.first), end.max(ramp.last + 1));
-        if *sign == 1 {
-            left_end = left_end.max(ramp.last + 1);
-        } else {
-            right_start = right_start.min(ramp.first);
-        }
-    }
-    let end = end.min(columns.end);
-    let mut column = start.max(columns.start);
-    while column < end {
-        let add = |area: u32, (ramp, sign): &(Ramp, u32)| area.wrapping_add(ramp.at(column).wrapping_mul(*sign));
-        let coverage = coverage_of(ramps.iter().fold(0, add));
-        if column >= left_end && column < right_start {
-            let until = right_start.min(end);
-            runs.alike(column, until, coverage)?;
-            column = until;
-        } else {
-            runs.pixel(column, coverage)?;
-            column += 1;
-        }
-    }
-    runs.finish()
 }

@@ -66,7 +66,7 @@ pub trait CoverageSink {
     fn run(&mut self, row: i32, column: i32, coverage: &[u8]) -> Result<(), Self::Error>;
 
     /// Takes a span of at least eight pixels, of which the first four and the last four are covered as `sides` tells, and
-    /// the others wholly.
+    /// the others wholly. Those of coverage 0 are not part of the shape.
     ///
     /// ```text
     ///   sides     84 201 255 255                 255 255 255  31

@@ -132,19 +132,19 @@ impl Ramp {
         }
     }
 
-    /// The same without a jump, for edges that cross few columns.
+    /// The same over a pixel's height, without a jump, for edges that cross few columns.
     #[inline(always)]
-    pub(crate) fn new_few(extent: Extent, height: u32, steep: impl Steep) -> Self {
+    pub(crate) fn new_few(extent: Extent, steep: impl Steep) -> Self {
         let Extent { first, last, left, right } = extent;
         let across = last.wrapping_sub(first);
-        let in_one = height - high_word(height, (left >> 1) + (right >> 1));
-        let down = steep.down(!left).min(height);
+        let in_one = FULL - high_word(FULL, (left >> 1) + (right >> 1));
+        let down = steep.down(!left).min(FULL);
         let step = steep.down_a_pixel();
         let first_area = select(across == 0, in_one, high_word(!left, down) >> 1);
-        let rest = select(across == 1, height - down, steep.down(right).min(height));
-        let last_area = select(across == 0, in_one, height - (high_word(right, rest) >> 1));
+        let rest = select(across == 1, FULL - down, steep.down(right).min(FULL));
+        let last_area = select(across == 0, in_one, FULL - (high_word(right, rest) >> 1));
         let second_area = select(across == 1, last_area, down.wrapping_add(step >> 1));
-        Self { first, last, height, first_area, last_area, second_area, step, steepness: steep.steepness() }
+        Self { first, last, height: FULL, first_area, last_area, second_area, step, steepness: steep.steepness() }
     }
 
     /// The areas in the first column and in the one after it, over a pixel's height, of an edge that is
@@ -182,6 +182,12 @@ impl Ramp {
 fn select(condition: bool, yes: u32, no: u32) -> u32 {
     let mask = u32::from(condition).wrapping_neg();
     no ^ ((yes ^ no) & mask)
+}
+
+/// The coverage of what a left edge leaves of a pixel, or of what a right one takes of it, from the area to its right.
+#[inline(always)]
+pub(super) fn coverage_beside<const IS_RIGHT: bool>(area: u32) -> u8 {
+    coverage_of(if IS_RIGHT { FULL.wrapping_sub(area) } else { area })
 }
 
 /// An area, in 255ths of a pixel, to the nearest; a few units beyond either end belong to it.

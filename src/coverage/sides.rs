@@ -12,7 +12,7 @@
 use crate::{
     coverage::{
         CoverageSink, eights,
-        ramp::{Extent, FULL, Ramp, Steep, coverage_of},
+        ramp::{Extent, FULL, Ramp, Steep, coverage_beside},
         runs::{RUN, Runs},
     },
     span::Span,
@@ -46,7 +46,7 @@ fn send_side<const IS_RIGHT: bool, S: CoverageSink>(
     runs: &mut Runs<'_, S>,
 ) -> Result<(), S::Error> {
     let Runs { sink, coverage: run, .. } = runs;
-    let coverage = |area: u32| coverage_of(if IS_RIGHT { FULL.wrapping_sub(area) } else { area });
+    let coverage = coverage_beside::<IS_RIGHT>;
     let (first, last) = (ramp.first, ramp.last);
     let (first_coverage, last_coverage) = (coverage(ramp.first_area), coverage(ramp.last_area));
     if first == last {

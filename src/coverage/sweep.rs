@@ -87,18 +87,14 @@ pub(super) fn send_in_eights<S: CoverageSink>(
     let mut open = OpenEights { sink, row, column: columns.start, eights: [[0; 8]; OPEN], count: 0 };
     let mut area = 0_u32;
     let mut place = 0;
-    while let Some(eight) = eights.get_mut(place) {
-        if are_zero(eight) {
-            let alike = eights.get(place..).unwrap_or_default().iter().take_while(|eight| are_zero(eight)).count();
-            if alike > 1 {
-                open.span(after(open.column, 8 * alike), coverage_of(area))?;
-                place += alike;
-                continue;
-            }
+    loop {
+        let alike = eights.get(place..).unwrap_or_default().iter().take_while(|eight| are_zero(eight)).count();
+        if alike > 1 {
+            open.span(after(open.column, 8 * alike), coverage_of(area))?;
+            place += alike;
         }
-        if let Some(eight) = eights.get_mut(place) {
-            open.push(eight, &mut area)?;
-        }
+        let Some(eight) = eights.get_mut(place) else { break };
+        open.push(eight, &mut area)?;
         place += 1;
     }
     if !rest.is_empty() {

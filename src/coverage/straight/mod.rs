@@ -14,6 +14,7 @@
 //! one, plus as many times its step as there are rows in between: it does not matter which of them are walked. A step is
 //! rounded to 2^-32 pixel, and there are at most 2^14 rows: 2^-18 pixel.
 
+mod far;
 mod rows;
 mod side;
 mod walk;

@@ -4,11 +4,14 @@ use core::ops::Range;
 
 use crate::coverage::{
     CoverageSink,
-    few::{Changes, send_far, send_few},
+    few::{Changes, send_few},
     ramp::{Extent, FULL, Ramp},
     runs::Runs,
     sides::send_between,
-    straight::side::{Rise, Straight, lower, upper},
+    straight::{
+        far::send_far,
+        side::{Rise, Straight, lower, upper},
+    },
 };
 
 /// An edge in whole rows: its left end in the current one, how far on that is in the next, and how far to the right end.

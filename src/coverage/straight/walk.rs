@@ -6,9 +6,9 @@ use heapless::Vec;
 
 use crate::coverage::{
     CoverageSink,
-    few::{Changes, send_far, send_few},
+    few::{Changes, send_few},
     runs::Runs,
-    straight::{rows::send_rows, side::Side},
+    straight::{far::send_far, rows::send_rows, side::Side},
 };
 
 /// Sends what lies between two sides, in some of the columns that they touch.
