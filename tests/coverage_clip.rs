@@ -8,8 +8,7 @@ use std::ops::Range;
 use embedded_graphics::{Drawable as _, mock_display::MockDisplay, pixelcolor::Gray8, prelude::GrayColor as _};
 use oracle::{
     Belongs, CoverageGrid, Outline, Rng, cases, check_same_coverage, coverage,
-    coverage_grid::coverage_in_strips_within,
-    coverage_in_strips, coverage_within, for_each_case, random, rect,
+    coverage_within, for_each_case, random, rect,
     rule::{At, edges},
 };
 use spanfill::{
@@ -161,7 +160,7 @@ fn in_few_cells(outline: &Outline, clip: &PixelRect, window: &PixelRect) -> Cove
     outline.with_polygon(|polygon| {
         let mut edges = vec![CoverageEdge::EMPTY; polygon.coverage_edges()];
         let mut cells = [Cell::EMPTY; 7];
-        coverage_in_strips_within(&polygon.coverage_in(&mut edges, &mut cells).unwrap(), clip, window)
+        coverage_within(&polygon.coverage_in(&mut edges, &mut cells).unwrap(), clip, window)
     })
 }
 
@@ -180,14 +179,14 @@ fn any_number_of_cells_draws_the_same() {
                 let polygon = polygon.coverage_in(&mut edges, &mut cells[..count]).unwrap();
                 let code = || format!("in {count} cells: {}", outline.code());
                 if count < width {
-                    check_same_coverage(&coverage_in_strips(&polygon, &window), &whole, code);
+                    check_same_coverage(&coverage(&polygon, &window), &whole, code);
                 } else {
                     check_same_coverage(&coverage(&polygon, &window), &whole, code);
                 }
             }
             let code = || format!("on the stack: {}", outline.code());
             if let Ok(polygon) = polygon.coverage_with::<12, 5>() {
-                check_same_coverage(&coverage_in_strips(&polygon, &window), &whole, code);
+                check_same_coverage(&coverage(&polygon, &window), &whole, code);
             }
         });
         Ok(whole.is_mixed().into())

@@ -5,7 +5,7 @@ mod oracle;
 use std::ops::Range;
 
 use oracle::{
-    Belongs, CoverageGrid, Outline, Rng, cases, check_same_coverage, coverage, coverage_in_strips, coverage_within,
+    Belongs, CoverageGrid, Outline, Rng, cases, check_same_coverage, coverage, coverage_within,
     for_each_case, random, rect,
     rule::{At, edges, product, side},
 };
@@ -166,7 +166,7 @@ where
     let width = window.columns.len().max(1);
     let supersampled = |cells| Supersampled { shape, samples: pattern.samples, cells };
     let whole = coverage(&supersampled(width), window);
-    let in_strips = coverage_in_strips(&supersampled(strip), window);
+    let in_strips = coverage(&supersampled(strip), window);
     for (drawn, what) in [(whole, "in one piece".into()), (in_strips, format!("in strips of {strip}"))] {
         if drawn != expected {
             let code = shape.code();

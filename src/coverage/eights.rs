@@ -90,7 +90,7 @@ fn two<const IS_RIGHT: bool>(extent: Extent, steepness: Steepness) -> u64 {
 
 /// Sends what an edge leaves of its pixels; after it is the inside, as far as `end`. Where that goes on is returned.
 #[inline(never)]
-fn send_left<S: CoverageSink>(
+pub(super) fn send_left<S: CoverageSink>(
     row: i32,
     extent: Extent,
     steepness: Steepness,
@@ -125,7 +125,7 @@ fn send_left<S: CoverageSink>(
 
 /// Sends the inside, from `inside` on, and what an edge takes of its pixels.
 #[inline(never)]
-fn send_right<S: CoverageSink>(
+pub(super) fn send_right<S: CoverageSink>(
     row: i32,
     extent: Extent,
     steepness: Steepness,

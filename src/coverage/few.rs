@@ -16,20 +16,20 @@ use crate::{
     coverage::{
         CoverageSink,
         eights::EIGHT,
-        ramp::{Ramp, coverage_of},
+        ramp::{FULL, Ramp, coverage_of},
         runs::{Runs, SPAN},
     },
     span::Span,
 };
 
 /// So many columns, and one more, have slots of their own.
-pub(super) const NEAR: i32 = 15;
+pub(crate) const NEAR: i32 = 15;
 
 const SLOTS: usize = NEAR as usize + 1;
 
 /// How the area changes, for both sides; all 0 between rows.
 #[derive(Debug, Default)]
-pub(super) struct Changes {
+pub(crate) struct Changes {
     left: [u32; SLOTS],
     right: [u32; SLOTS],
 }
@@ -37,14 +37,14 @@ pub(super) struct Changes {
 impl Changes {
     /// Nothing, on either side of a row.
     #[inline(always)]
-    pub(super) fn sides(&mut self) -> (Few<'_>, Few<'_>) {
+    pub(crate) fn sides(&mut self) -> (Few<'_>, Few<'_>) {
         (Few::new(&mut self.left), Few::new(&mut self.right))
     }
 }
 
 /// The ramps of a side, added up.
 #[derive(Debug)]
-pub(super) struct Few<'c> {
+pub(crate) struct Few<'c> {
     changes: &'c mut [u32; SLOTS],
     /// The columns of all ramps.
     start: i32,
@@ -64,7 +64,7 @@ impl<'c> Few<'c> {
 
     /// Adds what is right of an edge.
     #[inline(always)]
-    pub(super) fn add(&mut self, ramp: &Ramp) {
+    pub(crate) fn add(&mut self, ramp: &Ramp) {
         let Ramp { first, last, .. } = *ramp;
         (self.start, self.end) = (self.start.min(first), self.end.max(last + 1));
         if last - first >= NEAR {
@@ -139,6 +139,37 @@ pub(super) fn send_few<const ROUND: bool, S: CoverageSink>(
         right.clear();
     }
     Ok(is_sent)
+}
+
+/// Sends a cluster of edges, whose columns have slots of their own: those that lead inside are on the left, those that lead outside
+/// on the right. `inside`: what is before it is inside, and has been sent as far as there. After it, the inside may be sent as far
+/// as `limit`; where what has not been sent begins is returned.
+#[inline(always)]
+pub(crate) fn send_cluster<S: CoverageSink>(
+    row: i32,
+    mut left: Few<'_>,
+    mut right: Few<'_>,
+    inside: Option<i32>,
+    limit: i32,
+    runs: &mut Runs<'_, S>,
+) -> Result<i32, S::Error> {
+    let columns = left.start.min(right.start)..left.end.max(right.end);
+    let mut area = 0_u32;
+    if let Some(inside) = inside {
+        area = FULL;
+        if inside < columns.start {
+            runs.sink.span(Span { row, columns: inside..columns.start }, 255)?;
+        }
+    }
+    let end = send_columns(row, columns, limit, runs, |column| {
+        area = area.wrapping_add(left.change_in::<S>(column)).wrapping_sub(right.change_in::<S>(column));
+        area
+    })?;
+    if S::EIGHTS {
+        left.clear();
+        right.clear();
+    }
+    Ok(end)
 }
 
 #[inline(always)]

@@ -5,7 +5,6 @@ use core::mem::take;
 use crate::{
     coverage::{
         CoverageSink,
-        ramp::{FULL, Ramp, coverage_of},
     },
     span::Span,
 };
@@ -132,73 +131,5 @@ impl<'s, S: CoverageSink> Runs<'s, S> {
             Some(run) if length > 0 => self.sink.run(self.row, self.first, run),
             _ => Ok(()),
         }
-    }
-}
-
-/// A row of which the edges are known from left to right, each no farther left than where the one before ends: pixels are
-/// sent as they become complete.
-///
-/// ```text
-///      edge   edge           edge
-///     |  /#|##\  |     |    |  |####
-///              '- not complete: another edge may end here, or begin
-/// ```
-#[derive(Debug)]
-pub(crate) struct Crossings {
-    /// The column that the last edge ends in, and what is covered of it so far.
-    column: i32,
-    area: u32,
-    /// What is covered of the columns after it.
-    after: u32,
-}
-
-impl Crossings {
-    /// Nothing yet.
-    #[inline(always)]
-    pub(crate) fn new() -> Self {
-        Self { column: i32::MIN, area: 0, after: 0 }
-    }
-
-    /// The next edge, over a pixel's whole height: `sign` is 1 where it leads inside, -1 where it leads outside.
-    #[inline(always)]
-    pub(crate) fn edge<S: CoverageSink>(
-        &mut self,
-        ramp: &Ramp,
-        sign: i32,
-        runs: &mut Runs<'_, S>,
-    ) -> Result<(), S::Error> {
-        let to_right = |area: u32| if sign < 0 { FULL.wrapping_sub(area) } else { area };
-        if ramp.first == self.column {
-            self.area = self.area.wrapping_add(to_right(ramp.first_area)).wrapping_sub(self.after);
-        } else {
-            self.gap(ramp.first, runs)?;
-            self.area = to_right(ramp.first_area);
-        }
-        self.column = ramp.first;
-        if ramp.last != ramp.first {
-            runs.pixel(ramp.first, coverage_of(self.area))?;
-            let mut area = ramp.second_area;
-            for column in ramp.first + 1..ramp.last {
-                runs.pixel(column, coverage_of(to_right(area)))?;
-                area = area.wrapping_add(ramp.step);
-            }
-            self.column = ramp.last;
-            self.area = to_right(ramp.last_area);
-        }
-        self.after = if sign < 0 { 0 } else { FULL };
-        Ok(())
-    }
-
-    /// The pixel that is complete now, and those up to `column`.
-    #[inline(always)]
-    fn gap<S: CoverageSink>(&self, column: i32, runs: &mut Runs<'_, S>) -> Result<(), S::Error> {
-        runs.pixel(self.column, coverage_of(self.area))?;
-        if self.after == 0 { runs.finish() } else { runs.inside(self.column + 1, column) }
-    }
-
-    /// There are no more edges; the last led outside.
-    #[inline(always)]
-    pub(crate) fn finish<S: CoverageSink>(&self, runs: &mut Runs<'_, S>) -> Result<(), S::Error> {
-        self.gap(self.column, runs)
     }
 }

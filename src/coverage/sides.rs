@@ -30,10 +30,40 @@ pub(crate) fn send_between<S: CoverageSink>(
         let (left, right) = ((left.0, left.1.steepness()), (right.0, right.1.steepness()));
         return eights::send_between(row, left, right, runs.sink);
     }
+    let inside = send_left(row, left, right.0.first, runs)?;
+    send_right(row, right, inside, runs)
+}
+
+/// Sends what a left edge leaves of its pixels, and perhaps some of the inside after it, as far as `end`. Where what has not been
+/// sent begins is returned.
+#[inline(always)]
+pub(crate) fn send_left<S: CoverageSink>(
+    row: i32,
+    left: (Extent, impl Steep),
+    end: i32,
+    runs: &mut Runs<'_, S>,
+) -> Result<i32, S::Error> {
+    if S::EIGHTS {
+        return eights::send_left(row, left.0, left.1.steepness(), end, runs.sink);
+    }
     send_side::<false, S>(row, &Ramp::new(left.0, FULL, left.1), runs)?;
-    let inside = left.0.last + 1..right.0.first;
-    if inside.start < inside.end {
-        runs.sink.span(Span { row, columns: inside }, 255)?;
+    Ok(left.0.last + 1)
+}
+
+/// Sends the inside, from `inside` on, and what a right edge takes of its pixels.
+#[inline(always)]
+pub(crate) fn send_right<S: CoverageSink>(
+    row: i32,
+    right: (Extent, impl Steep),
+    inside: i32,
+    runs: &mut Runs<'_, S>,
+) -> Result<(), S::Error> {
+    if S::EIGHTS {
+        return eights::send_right(row, right.0, right.1.steepness(), inside, runs.sink);
+    }
+    let columns = inside..right.0.first;
+    if columns.start < columns.end {
+        runs.sink.span(Span { row, columns }, 255)?;
     }
     send_side::<true, S>(row, &Ramp::new(right.0, FULL, right.1), runs)
 }

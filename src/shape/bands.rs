@@ -11,7 +11,7 @@ use core::ops::Range;
 
 use crate::{
     coverage::{
-        Cells, CoverageSink, Crossings, Extent, FULL, Ramp, Runs, Steepness, column_of, height_of, send_between,
+        Cells, Extent, Ramp, Steepness, column_of, height_of,
     },
     limits::ONE,
     shape::{active::CoverageEdge, outline::FillRule},
@@ -147,60 +147,16 @@ fn keep_their_order<const WIDE: bool>(edges: &[CoverageEdge], height: i32) -> bo
     })
 }
 
-/// Sends a whole row of pixels without cells, and takes the edges to its lower end, if none cross in it, all are inside the
-/// clip, and no two share more than one column.
+/// Whether none cross in a whole row of pixels, all are inside the clip, and no two share a column.
 #[inline(always)]
-pub(super) fn send_row<S: CoverageSink>(
-    row: i32,
-    edges: &mut [CoverageEdge],
-    fill_rule: FillRule,
-    columns: &Range<i32>,
-    runs: &mut Runs<'_, S>,
-) -> Result<bool, S::Error> {
-    let mut before = i64::MIN;
-    let mut last = columns.start;
-    let mut share_columns = false;
-    for edge in &*edges {
-        let (from, to) = (edge.edge.position(), edge.below_by::<false>(ONE));
-        let first = column_of(from.min(to));
-        // Farther right than all of the edge before, it cannot have crossed it.
-        if first <= last {
-            if first < last || to + SLACK < before {
-                return Ok(false);
-            }
-            share_columns |= before != i64::MIN;
-        }
-        (before, last) = (to, column_of(from.max(to)));
-    }
-    if last >= columns.end {
-        return Ok(false);
-    }
-    let mut winding = Winding::new(fill_rule);
-    if !share_columns {
-        let mut left = None;
-        for edge in edges {
-            let sign = winding.cross(edge.winding());
-            let (from, to) = (edge.edge.position(), edge.below_by::<false>(ONE));
-            edge.edge.move_to(to);
-            let side = (Extent::between(from, to), edge.edge.steepness);
-            match (sign, left.take()) {
-                (1, _) => left = Some(side),
-                (-1, Some(left)) => send_between(row, left, side, runs)?,
-                (_, kept) => left = kept,
-            }
-        }
-        return Ok(true);
-    }
-    runs.start(row);
-    let mut crossings = Crossings::new();
+pub(super) fn are_apart(edges: &[CoverageEdge], columns: &Range<i32>) -> bool {
+    let mut last = columns.start.saturating_sub(1);
     for edge in edges {
-        let sign = winding.cross(edge.winding());
         let (from, to) = (edge.edge.position(), edge.below_by::<false>(ONE));
-        edge.edge.move_to(to);
-        if sign != 0 {
-            crossings.edge(&edge.ramp::<false>(from, to, FULL), sign, runs)?;
+        if column_of(from.min(to)) <= last {
+            return false;
         }
+        last = column_of(from.max(to));
     }
-    crossings.finish(runs)?;
-    Ok(true)
+    last < columns.end
 }

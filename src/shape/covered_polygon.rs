@@ -4,16 +4,19 @@ use core::{cell::Cell as Shared, fmt, ops::Range};
 
 use crate::{
     PixelRect, TooManyEdges,
-    coverage::{Cell, Cells, CoverageSink, Runs},
+    coverage::{Cell, Cells, Changes, CoverageSink, Extent, Runs, Slope, send_between},
     error::TooLittleScratch,
     geometry::touched,
-    limits::ONE,
+    limits::{ONE, SUBPIXEL_BITS},
     shape::{
         ActiveEdges, Cover, Polygon,
         active::{CoverageEdge, contour_of},
-        bands::{Band, send_row},
-        outline::{Rows, next_index},
+        bands::{Band, Winding, are_apart},
+        cluster_rows::send_clusters,
+        clusters::PixelRow,
+        outline::{FillRule, Rows, next_index},
         table::Table,
+        trapezoids::{all_sent_up_to, alternate, rows_apart, send_all_up_to},
     },
     span::clip_range,
     subpixel::pixel_holding,
@@ -112,49 +115,148 @@ impl<'a> Polygon<'a> {
             return Ok(());
         }
         cells.fill(Cell::EMPTY);
-        let mut cells = Cells::new(cells, columns.clone());
-        let mut runs = Runs::new(sink);
-        let mut table = Table::new(self.contours, &rows, edges);
+        let mut walk = Walk {
+            fill_rule: self.fill_rule,
+            columns: columns.clone(),
+            table: Table::new(self.contours, &rows, edges),
+            cells: Cells::new(cells, columns),
+            changes: Changes::default(),
+            runs: Runs::new(sink),
+        };
         let mut y = rows.start;
+        let mut alternate = true;
         while y < rows.end {
-            table.start(y);
-            if table.is_idle() {
-                let next = table.next_start().max(y + 1).min(rows.end);
-                // The last row of all ends where coordinates do.
-                if next > y | (ONE - 1) || next == rows.end {
-                    cells.sweep(pixel_holding(y), &mut runs)?;
-                }
-                y = next;
-                continue;
+            let mut row = pixel_holding(y);
+            if walk.table.next_event(y, rows.end) == y {
+                walk.start_at_row(row, y)?;
+                alternate = walk.alternate();
             }
-            let event = table.next_event(y + 1, rows.end);
-            let is_wide = table.active_mut().iter().any(|edge| edge.edge.is_wide());
-            while y < event {
-                let row = pixel_holding(y);
-                let row_end = (y | (ONE - 1)).saturating_add(1);
-                let bottom = row_end.min(event);
-                let band = Band { y, height: bottom - y };
-                y = bottom;
-                let edges = table.active_mut();
-                if is_wide {
-                    table.widen(band);
-                    band.add::<true>(table.active_mut(), self.fill_rule, &mut cells);
-                } else if band.height < ONE || !send_row(row, edges, self.fill_rule, &columns, &mut runs)? {
-                    band.add::<false>(table.active_mut(), self.fill_rule, &mut cells);
-                } else {
+            if walk.table.is_idle() {
+                let next = walk.table.next_start().min(rows.end) & !(ONE - 1);
+                if next > y {
+                    y = next;
                     continue;
                 }
-                if y == row_end {
-                    cells.sweep(row, &mut runs)?;
-                }
             }
-            table.turn(y);
+            let event = walk.table.next_event(y + 1, rows.end);
+            let event_row = pixel_holding(event);
+            while row < event_row {
+                if alternate {
+                    row += walk.rows_apart(row..event_row);
+                    if row == event_row {
+                        break;
+                    }
+                }
+                alternate = walk.send_row(row, rows.end, event, alternate)?;
+                row += 1;
+            }
+            y = row << SUBPIXEL_BITS;
+            if y < event {
+                alternate = walk.send_row(row, rows.end, event, alternate)?;
+                y = y.saturating_add(ONE);
+            }
         }
-        Ok(())
+        send_all_up_to(pixel_holding(rows.end), walk.table.active_mut(), &mut walk.runs)
     }
 }
 
-impl Table<'_, '_, crate::coverage::Slope> {
+/// A strip of a polygon, on its way down.
+struct Walk<'a, 's, 'r, S> {
+    fill_rule: FillRule,
+    columns: Range<i32>,
+    table: Table<'a, 's, Slope>,
+    cells: Cells<'s>,
+    changes: Changes,
+    runs: Runs<'r, S>,
+}
+
+impl<S: CoverageSink> Walk<'_, '_, '_, S> {
+    fn alternate(&mut self) -> bool {
+        alternate(self.table.active_mut(), self.fill_rule)
+    }
+
+    fn rows_apart(&mut self, rows: Range<i32>) -> i32 {
+        rows_apart(rows, self.table.active_mut(), &self.columns)
+    }
+
+    /// Starts and ends edges on the scan line at the top of a row.
+    #[inline(never)]
+    fn start_at_row(&mut self, row: i32, y: i32) -> Result<(), S::Error> {
+        send_all_up_to(row, self.table.active_mut(), &mut self.runs)?;
+        self.table.turn(y);
+        self.table.start(y);
+        all_sent_up_to(row, self.table.active_mut());
+        Ok(())
+    }
+
+    /// Sends a row in which edges share columns, start or end, or some are not apart. Whether the edges alternate below it is
+    /// returned.
+    fn send_row(&mut self, row: i32, end: i32, event: i32, alternate: bool) -> Result<bool, S::Error> {
+        let start = row << SUBPIXEL_BITS;
+        let at = PixelRow { row, start, end: start.saturating_add(ONE).min(end) };
+        let Self { fill_rule, table, columns, changes, runs, .. } = self;
+        if alternate && send_clusters(at, table, event, *fill_rule, columns, changes, runs)? {
+            return Ok(true);
+        }
+        let edges = table.active_mut();
+        send_all_up_to(row, edges, runs)?;
+        let is_whole = event >= at.end && at.end.wrapping_sub(at.start) == ONE;
+        if is_whole && !edges.iter().any(|edge| edge.edge.is_wide()) && are_apart(edges, columns) {
+            send_pairs(row, edges, &mut Winding::new(*fill_rule), runs)?;
+        } else {
+            self.send_bands(at)?;
+        }
+        all_sent_up_to(row + 1, self.table.active_mut());
+        Ok(self.alternate())
+    }
+
+    #[inline(never)]
+    fn send_bands(&mut self, at: PixelRow) -> Result<(), S::Error> {
+        let Self { fill_rule, table, cells, runs, .. } = self;
+        let mut y = at.start;
+        while y < at.end {
+            let bottom = table.next_event(y + 1, at.end);
+            let band = Band { y, height: bottom - y };
+            y = bottom;
+            if table.active_mut().iter().any(|edge| edge.edge.is_wide()) {
+                table.widen(band);
+                band.add::<true>(table.active_mut(), *fill_rule, cells);
+            } else {
+                band.add::<false>(table.active_mut(), *fill_rule, cells);
+            }
+            if y < at.end {
+                table.turn(y);
+                table.start(y);
+            }
+        }
+        cells.sweep(at.row, runs)
+    }
+}
+
+/// Sends the edges of a whole row, and takes them to its lower end; some may have the inside, or none of it, on either side.
+#[inline(never)]
+fn send_pairs<S: CoverageSink>(
+    row: i32,
+    edges: &mut [CoverageEdge],
+    winding: &mut Winding,
+    runs: &mut Runs<'_, S>,
+) -> Result<(), S::Error> {
+    let mut left = None;
+    for edge in edges {
+        let sign = winding.cross(edge.winding());
+        let (from, to) = (edge.edge.position(), edge.below_by::<false>(ONE));
+        edge.edge.move_to(to);
+        let side = (Extent::between(from, to), edge.edge.steepness);
+        match (sign, left.take()) {
+            (1, _) => left = Some(side),
+            (-1, Some(left)) => send_between(row, left, side, runs)?,
+            (_, kept) => left = kept,
+        }
+    }
+    Ok(())
+}
+
+impl Table<'_, '_, Slope> {
     /// Brings edges that are not in the narrow zone up to date for a band.
     fn widen(&mut self, band: Band) {
         let Band { y, height } = band;

@@ -3,6 +3,8 @@
 mod active;
 mod bands;
 mod circle;
+mod cluster_rows;
+mod clusters;
 mod covered_circle;
 mod covered_line;
 mod covered_polygon;
@@ -16,6 +18,7 @@ mod runs;
 mod supersampled;
 mod supersampled_polygon;
 mod table;
+mod trapezoids;
 mod triangle;
 mod waiting;
 mod wide_circle;

@@ -58,6 +58,11 @@ impl<'a, 's, T: Track> Table<'a, 's, T> {
     }
 
     #[inline]
+    pub(crate) fn rows(&self) -> &'s Range<i32> {
+        self.rows
+    }
+
+    #[inline]
     pub(crate) fn contours(&self) -> Contours<'a> {
         self.contours
     }
@@ -122,6 +127,61 @@ impl<'a, 's, T: Track> Table<'a, 's, T> {
             event = event.min(if edge.edge.can_step() { edge.until } else { row });
         }
         event.max(row)
+    }
+
+    /// How many tops start before a row, if all of them are known, and there is room for their edges.
+    #[inline]
+    pub(crate) fn starting_before(&self, row: i32) -> Option<usize> {
+        let tops = self.slots.get(self.waiting..).unwrap_or_default();
+        let starting = tops.iter().take_while(|top| top.until < row).count();
+        let is_known = starting < tops.len() || self.horizon >= row;
+        (is_known && self.active + starting <= self.waiting).then_some(starting)
+    }
+
+    /// The edges of one of the tops that wait, and the row that they start on.
+    #[inline]
+    pub(crate) fn waiting_edges(&self, index: usize) -> Option<(i32, [ActiveEdge<T>; 2])> {
+        let top = self.slots.get(self.waiting + index).map(ActiveEdge::top)?;
+        let edge = |contour| ActiveEdge::below(self.contours, top.vertex, contour, top.row, self.rows);
+        Some((top.row, [edge(top.contour)?, edge(!top.contour)?]))
+    }
+
+    /// A top has become two edges, in these places.
+    #[inline]
+    pub(crate) fn insert(&mut self, place: usize, edges: [ActiveEdge<T>; 2]) {
+        self.waiting += 1;
+        self.active += 2;
+        if let Some(rest) = self.slots.get_mut(place..self.active) {
+            for index in (2..rest.len()).rev() {
+                if let Some([from, _, to]) = rest.get_mut(index - 2..=index) {
+                    *to = *from;
+                }
+            }
+            if let [a, b, ..] = rest {
+                [*a, *b] = edges;
+            }
+        }
+    }
+
+    /// Another edge goes on.
+    #[inline]
+    pub(crate) fn replace(&mut self, place: usize, edge: ActiveEdge<T>) {
+        if let Some(slot) = self.slots.get_mut(place) {
+            *slot = edge;
+        }
+    }
+
+    /// Two edges have ended.
+    #[inline]
+    pub(crate) fn remove(&mut self, place: usize) {
+        if let Some(rest) = self.slots.get_mut(place..self.active) {
+            for index in 2..rest.len() {
+                if let Some([to, _, from]) = rest.get_mut(index - 2..=index) {
+                    *to = *from;
+                }
+            }
+            self.active -= 2;
+        }
     }
 
     #[inline(never)]

@@ -102,38 +102,22 @@ impl fmt::Debug for CoverageGrid {
     }
 }
 
-/// Takes coverage; refuses what is empty, not covered, outside the clip, sent twice or out of order.
+/// Takes coverage; refuses what is empty, not covered, outside the clip or sent twice.
 struct CheckedCoverage {
     clip: PixelRect,
-    /// Whether vertical strips may follow each other.
-    strips: bool,
-    /// Where the strip starts that is being sent, and the end of the rightmost pixels so far.
-    strip: (i32, i32),
-    last: Option<(i32, i32)>,
     grid: CoverageGrid,
 }
 
 impl CheckedCoverage {
-    fn new(clip: &PixelRect, window: &PixelRect, strips: bool) -> Self {
-        let strip = (clip.columns.start, clip.columns.start);
-        Self { clip: clip.clone(), strips, strip, last: None, grid: CoverageGrid::new(window.clone()) }
+    fn new(clip: &PixelRect, window: &PixelRect) -> Self {
+        Self { clip: clip.clone(), grid: CoverageGrid::new(window.clone()) }
     }
 
-    fn check(&mut self, row: i32, columns: &Range<i32>) {
+    fn check(&self, row: i32, columns: &Range<i32>) {
         assert!(!columns.is_empty(), "row {row}, columns {columns:?}: empty");
         let PixelRect { rows, columns: all } = &self.clip;
         let inside = rows.contains(&row) && all.start <= columns.start && columns.end <= all.end;
         assert!(inside, "row {row}, columns {columns:?} leave the clip {:?}", self.clip);
-        if let Some((last_row, last_end)) = self.last {
-            let goes_on = row > last_row || row == last_row && columns.start >= last_end;
-            assert!(goes_on || self.strips, "row {row}, columns {columns:?} after row {last_row}, column {last_end}");
-            if !goes_on {
-                self.strip.0 = self.strip.1;
-            }
-        }
-        assert!(columns.start >= self.strip.0, "row {row}, columns {columns:?} reach back into the strip before");
-        self.strip.1 = self.strip.1.max(columns.end);
-        self.last = Some((row, columns.end));
     }
 }
 
@@ -177,34 +161,19 @@ impl CoverageSink for InEights {
     }
 }
 
-/// What a sink is sent, and that one that wants eights is sent the same.
-fn drawn(shape: &impl Cover, clip: &PixelRect, window: &PixelRect, strips: bool) -> CoverageGrid {
-    let mut sink = CheckedCoverage::new(clip, window, strips);
-    let Ok(()) = shape.coverage(clip, &mut sink);
-    let mut eights = InEights(CheckedCoverage::new(clip, window, strips));
-    let Ok(()) = shape.coverage(clip, &mut eights);
-    check_same_coverage(&eights.0.grid, &sink.grid, || "in eights".to_owned());
-    sink.grid
-}
-
-/// The coverage that a shape sends, rows downwards.
+/// The coverage that a shape sends.
 pub(crate) fn coverage(shape: &impl Cover, clip: &PixelRect) -> CoverageGrid {
     coverage_within(shape, clip, clip)
 }
 
-/// The same for a clip too large to count in: all pixels must lie in `window`.
+/// The same for a clip too large to count in: all pixels must lie in `window`. A sink that wants eights is sent the same.
 pub(crate) fn coverage_within(shape: &impl Cover, clip: &PixelRect, window: &PixelRect) -> CoverageGrid {
-    drawn(shape, clip, window, false)
-}
-
-/// The same from a shape that may send vertical strips.
-pub(crate) fn coverage_in_strips(shape: &impl Cover, clip: &PixelRect) -> CoverageGrid {
-    coverage_in_strips_within(shape, clip, clip)
-}
-
-/// The same for a clip too large to count in.
-pub(crate) fn coverage_in_strips_within(shape: &impl Cover, clip: &PixelRect, window: &PixelRect) -> CoverageGrid {
-    drawn(shape, clip, window, true)
+    let mut sink = CheckedCoverage::new(clip, window);
+    let Ok(()) = shape.coverage(clip, &mut sink);
+    let mut eights = InEights(CheckedCoverage::new(clip, window));
+    let Ok(()) = shape.coverage(clip, &mut eights);
+    check_same_coverage(&eights.0.grid, &sink.grid, || "in eights".to_owned());
+    sink.grid
 }
 
 /// The polygon in scratch of exactly the size it asks for and a cell for each column that it can have in the clip.

@@ -16,7 +16,7 @@ pub(crate) mod rule;
 
 pub(crate) use area::{Area, HasArea};
 pub(crate) use coverage_grid::{
-    CoverageGrid, Tolerance, Worst, check_coverage, check_same_coverage, coverage, coverage_in_strips, coverage_within,
+    CoverageGrid, Tolerance, Worst, check_coverage, check_same_coverage, coverage, coverage_within,
 };
 pub(crate) use grid::{Grid, block_pixels, check_exact, check_same, rect, span_pixels};
 pub(crate) use random::{Rng, cases, for_each_case};

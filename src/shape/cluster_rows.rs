@@ -1,0 +1,126 @@
+//! Sends the clusters of a row, and what the edges beside them have of it.
+
+use core::ops::Range;
+
+use crate::{
+    coverage::{
+        Changes, CoverageSink, Extent, Few, Runs, Slope, Steepness, column_of, height_of, send_cluster, send_left, send_right,
+    },
+    limits::ONE,
+    shape::{
+        active::CoverageEdge,
+        clusters::{Kind, PixelRow, find},
+        outline::FillRule,
+        table::Table,
+        trapezoids::send_up_to,
+    },
+};
+
+/// The edges of a cluster, added up.
+struct Sum<'c> {
+    adds: Few<'c>,
+    takes: Few<'c>,
+}
+
+impl Sum<'_> {
+    /// Adds an edge from where it is down `height` scan lines, and takes it there.
+    #[inline(never)]
+    fn add(&mut self, edge: &mut CoverageEdge, height: i32, leads_inside: bool) {
+        let (from, to) = (edge.edge.position(), edge.below_by::<false>(height));
+        edge.edge.move_to(to);
+        let ramp = edge.ramp::<false>(from, to, height_of(height));
+        if leads_inside { self.adds.add(&ramp) } else { self.takes.add(&ramp) }
+    }
+}
+
+/// An edge beside a cluster, in the row, whose lower end it is taken to.
+fn beside(edge: &mut CoverageEdge, row: i32) -> (Extent, Steepness) {
+    let from = edge.edge.position();
+    let to = from + edge.edge.row_step();
+    edge.edge.go_to_row(row + 1, to);
+    (Extent::between(from, to), edge.edge.steepness)
+}
+
+/// Sends what is in clusters of a row, and the trapezoids that end there up to it. `false` if it takes bands.
+///
+/// The edges [alternate](super::trapezoids::alternate), before and after.
+#[inline(never)]
+pub(super) fn send_clusters<S: CoverageSink>(
+    at: PixelRow,
+    table: &mut Table<'_, '_, Slope>,
+    event: i32,
+    fill_rule: FillRule,
+    columns: &Range<i32>,
+    changes: &mut Changes,
+    runs: &mut Runs<'_, S>,
+) -> Result<bool, S::Error> {
+    let Some(mut clusters) = find(table, fill_rule, at, event, columns) else { return Ok(false) };
+    let row = at.row;
+    let edges = table.active_mut();
+    let mut inside = None;
+    let mut place = 0;
+    let mut rest = clusters.as_mut_slice();
+    while let [cluster, others @ ..] = rest {
+        let Range { start, end } = cluster.places;
+        if let Some(column) = inside
+            && place < start
+            && let Some(edge) = edges.get_mut(place)
+        {
+            send_right(row, beside(edge, row), column, runs)?;
+            inside = None;
+        }
+        // With what is beside it, a cluster is of whole trapezoids.
+        let pairs = edges.get_mut(start & !1..end.next_multiple_of(2)).unwrap_or_default();
+        for [left, right] in pairs.as_chunks_mut().0 {
+            send_up_to(row, left, right, runs)?;
+        }
+        if start % 2 == 1
+            && inside.is_none()
+            && let Some(edge) = edges.get_mut(start - 1)
+        {
+            inside = Some(send_left(row, beside(edge, row), cluster.first, runs)?);
+        }
+        let (adds, takes) = changes.sides();
+        let mut sum = Sum { adds, takes };
+        let mut leads_inside = start % 2 == 0;
+        let below = at.end - cluster.event;
+        let members = edges.get_mut(start..end).unwrap_or_default();
+        let (members, height) = match &mut cluster.kind {
+            Kind::Started(started) => (&mut started[..], below),
+            Kind::Whole => (members, ONE),
+            Kind::Ended | Kind::Turned(_) => (members, cluster.event - at.start),
+        };
+        for edge in members {
+            sum.add(edge, height, leads_inside);
+            edge.edge.row = row + 1;
+            leads_inside = !leads_inside;
+        }
+        if let Kind::Turned(next) = &mut cluster.kind {
+            sum.add(next, below, !leads_inside);
+            next.edge.row = row + 1;
+        }
+        let limit = match others {
+            [next, ..] if next.places.start == end => next.first,
+            _ => edges.get(end).map_or(columns.end, |edge| column_of(edge.edge.ends(row).0)),
+        };
+        let column = send_cluster(row, sum.adds, sum.takes, inside, limit, runs)?;
+        inside = (end % 2 == 1).then_some(column);
+        place = end;
+        rest = others;
+    }
+    if let Some(column) = inside
+        && let Some(edge) = edges.get_mut(place)
+    {
+        send_right(row, beside(edge, row), column, runs)?;
+    }
+    while let Some(cluster) = clusters.pop() {
+        let place = cluster.places.start;
+        match cluster.kind {
+            Kind::Started(edges) => table.insert(place, edges),
+            Kind::Ended => table.remove(place),
+            Kind::Turned(next) => table.replace(place, next),
+            Kind::Whole => {}
+        }
+    }
+    Ok(true)
+}

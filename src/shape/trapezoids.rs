@@ -1,0 +1,177 @@
+//! Trapezoids: rows of pixels between two neighbouring edges that share no column with another.
+//!
+//! They are not sent row by row but when something comes near one of the two edges: where it ends, where others start between
+//! the two, or where columns are shared. Until then nothing looks at them:
+//!
+//! ```text
+//!       \   . . /         \     /      each `.` stands for rows that have not been sent yet
+//!        \ . . /\          \   /\
+//!         \ . / .\    ->    \ /##\     the upper vertex on the right makes two trapezoids of one
+//! ```
+
+use core::ops::Range;
+
+use crate::{
+    coverage::{CoverageSink, Extent, Runs, Slope, column_of, part_of, send_between},
+    limits::SUBPIXEL_BITS,
+    shape::{active::CoverageEdge, bands::Winding, outline::FillRule},
+};
+
+/// A pixel, in positions.
+const PIXEL: i64 = 1 << 40;
+
+/// No edge of the narrow zone is in this column.
+const FAR: i32 = 1 << 20;
+
+impl Slope {
+    /// Where it is at the top of a row of pixels.
+    #[inline(always)]
+    pub(super) fn at_row(&self, row: i32) -> i64 {
+        self.position() + self.row_step() * i64::from(row - self.row)
+    }
+
+    /// From a row of pixels to the next.
+    #[inline(always)]
+    pub(super) fn row_step(&self) -> i64 {
+        self.step() << SUBPIXEL_BITS
+    }
+
+    /// Its left end in the row, and its right one.
+    #[inline(always)]
+    pub(super) fn ends(&self, row: i32) -> (i64, i64) {
+        let (position, step) = (self.at_row(row), self.row_step());
+        (position + step.min(0), position + step.max(0))
+    }
+
+    /// It has been sent up to a row, and is at its top.
+    #[inline(always)]
+    pub(super) fn go_to_row(&mut self, row: i32, position: i64) {
+        self.row = row;
+        self.move_to(position);
+    }
+}
+
+/// An edge on its way down.
+#[derive(Clone, Copy)]
+struct Stepper {
+    left: i64,
+    step: i64,
+    width: i64,
+}
+
+impl Stepper {
+    #[inline(always)]
+    fn new(edge: &Slope) -> Self {
+        let step = edge.row_step();
+        Self { left: edge.position() + step.min(0), step, width: step.abs() }
+    }
+
+    /// Where it is in this row. It is taken to the next.
+    #[inline(always)]
+    fn step(&mut self) -> Extent {
+        let (left, right) = (self.left, self.left + self.width);
+        self.left += self.step;
+        Extent { first: column_of(left), last: column_of(right), left: part_of(left), right: part_of(right) }
+    }
+
+    #[inline(always)]
+    fn put_back(self, edge: &mut Slope, row: i32) {
+        edge.go_to_row(row, self.left - self.step.min(0));
+    }
+}
+
+/// Sends a trapezoid, from the row that it has been sent up to.
+#[inline(never)]
+pub(super) fn send_up_to<S: CoverageSink>(
+    row: i32,
+    left_edge: &mut CoverageEdge,
+    right_edge: &mut CoverageEdge,
+    runs: &mut Runs<'_, S>,
+) -> Result<(), S::Error> {
+    let rows = left_edge.edge.row..row;
+    if rows.is_empty() {
+        return Ok(());
+    }
+    let (mut left, mut right) = (Stepper::new(&left_edge.edge), Stepper::new(&right_edge.edge));
+    let (of_left, of_right) = (left_edge.edge.steepness, right_edge.edge.steepness);
+    for row in rows {
+        send_between(row, (left.step(), of_left), (right.step(), of_right), runs)?;
+    }
+    left.put_back(&mut left_edge.edge, row);
+    right.put_back(&mut right_edge.edge, row);
+    Ok(())
+}
+
+/// Sends all trapezoids up to a row.
+#[inline(never)]
+pub(super) fn send_all_up_to<S: CoverageSink>(
+    row: i32,
+    edges: &mut [CoverageEdge],
+    runs: &mut Runs<'_, S>,
+) -> Result<(), S::Error> {
+    for pair in edges.as_chunks_mut().0 {
+        let [left, right] = pair;
+        send_up_to(row, left, right, runs)?;
+    }
+    Ok(())
+}
+
+/// Nothing is left to be sent above the row that all edges are on top of.
+#[inline(always)]
+pub(super) fn all_sent_up_to(row: i32, edges: &mut [CoverageEdge]) {
+    for edge in edges {
+        edge.edge.row = row;
+    }
+}
+
+/// Whether there is the inside to the right of every other edge, and only there, and all are in the narrow zone.
+#[inline(never)]
+pub(super) fn alternate(edges: &[CoverageEdge], fill_rule: FillRule) -> bool {
+    let mut winding = Winding::new(fill_rule);
+    let mut sign = 1;
+    edges.iter().all(|edge| {
+        let is_next = winding.cross(edge.winding()) == sign && !edge.edge.is_wide();
+        sign = -sign;
+        is_next
+    }) && sign == 1
+}
+
+/// How many of the rows, from the first on, are such that each edge crosses all of them a pixel or more from the next one, and
+/// none leaves the clip.
+#[inline(never)]
+pub(super) fn rows_apart(rows: Range<i32>, edges: &[CoverageEdge], columns: &Range<i32>) -> i32 {
+    let count = rows.end - rows.start;
+    let steps = i64::from(count - 1);
+    // Of the edge before: where its right end is in the first row, and how far on in the next. The clip's left border does not
+    // move.
+    let border = |column: i32| i64::from(column.clamp(-FAR, FAR)) << 40;
+    let (mut before, mut step_before) = (border(columns.start) - PIXEL, 0);
+    let mut apart = count;
+    for edge in edges {
+        let (left, right) = edge.edge.ends(rows.start);
+        let step = edge.edge.row_step();
+        let gap = left - before - PIXEL;
+        let opens = step - step_before;
+        if gap < 0 {
+            return 0;
+        }
+        if gap + opens * steps < 0 {
+            apart = apart.min(rows_of(gap, opens));
+        }
+        (before, step_before) = (right, step);
+    }
+    let gap = border(columns.end) - before - 1;
+    if gap < 0 {
+        return 0;
+    }
+    if gap - step_before * steps < 0 {
+        apart = apart.min(rows_of(gap, -step_before));
+    }
+    apart
+}
+
+/// In how many rows a gap that closes is at least 0.
+#[cold]
+fn rows_of(gap: i64, opens: i64) -> i32 {
+    i32::try_from(gap.unsigned_abs() / opens.unsigned_abs().max(1)).map_or(i32::MAX, |rows| rows.saturating_add(1))
+}
