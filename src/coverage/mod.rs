@@ -29,7 +29,7 @@ pub(crate) use samples::Supersampler;
 pub use samples::{SampleCell, Samples};
 pub(crate) use sides::{send_between, send_left, send_right};
 pub(crate) use slope::{Slope, Steepness};
-pub(crate) use straight::{Side as StraightSide, Straight, send_straight};
+pub(crate) use straight::{Side as StraightSide, Straight, send_cut, send_straight};
 
 use crate::span::Span;
 

@@ -9,8 +9,7 @@ use crate::{
     limits::ONE,
     shape::{
         active::CoverageEdge,
-        clusters::{Kind, PixelRow, find},
-        outline::FillRule,
+        clusters::{Cluster, Clusters, Kind, PixelRow},
         table::Table,
         trapezoids::send_up_to,
     },
@@ -41,27 +40,27 @@ fn beside(edge: &mut CoverageEdge, row: i32) -> (Extent, Steepness) {
     (Extent::between(from, to), edge.edge.steepness)
 }
 
-/// Sends what is in clusters of a row, and the trapezoids that end there up to it. `false` if it takes bands.
+/// Sends what is in clusters of a row, and the trapezoids that end there up to it.
 ///
 /// The edges [alternate](super::trapezoids::alternate), before and after.
 #[inline(never)]
 pub(super) fn send_clusters<S: CoverageSink>(
+    clusters: &mut Clusters,
     at: PixelRow,
     table: &mut Table<'_, '_, Slope>,
-    event: i32,
-    fill_rule: FillRule,
     columns: &Range<i32>,
     changes: &mut Changes,
     runs: &mut Runs<'_, S>,
-) -> Result<bool, S::Error> {
-    let Some(mut clusters) = find(table, fill_rule, at, event, columns) else { return Ok(false) };
+) -> Result<(), S::Error> {
     let row = at.row;
+    let Clusters { list, starting } = clusters;
     let edges = table.active_mut();
     let mut inside = None;
     let mut place = 0;
-    let mut rest = clusters.as_mut_slice();
+    let mut rest = list.as_slice();
     while let [cluster, others @ ..] = rest {
-        let Range { start, end } = cluster.places;
+        rest = others;
+        let Cluster { start, end, .. } = *cluster;
         if let Some(column) = inside
             && place < start
             && let Some(edge) = edges.get_mut(place)
@@ -72,7 +71,7 @@ pub(super) fn send_clusters<S: CoverageSink>(
         // With what is beside it, a cluster is of whole trapezoids.
         let pairs = edges.get_mut(start & !1..end.next_multiple_of(2)).unwrap_or_default();
         for [left, right] in pairs.as_chunks_mut().0 {
-            send_up_to(row, left, right, runs)?;
+            send_up_to(row, left, right, columns, changes, runs)?;
         }
         if start % 2 == 1
             && inside.is_none()
@@ -84,43 +83,43 @@ pub(super) fn send_clusters<S: CoverageSink>(
         let mut sum = Sum { adds, takes };
         let mut leads_inside = start % 2 == 0;
         let below = at.end - cluster.event;
-        let members = edges.get_mut(start..end).unwrap_or_default();
-        let (members, height) = match &mut cluster.kind {
-            Kind::Started(started) => (&mut started[..], below),
-            Kind::Whole => (members, ONE),
-            Kind::Ended | Kind::Turned(_) => (members, cluster.event - at.start),
+        let (members, height) = match cluster.kind {
+            Kind::Started => (starting.get_mut(cluster.starting..cluster.starting + 2), below),
+            Kind::Whole => (edges.get_mut(start..end), ONE),
+            Kind::Ended | Kind::Turned => (edges.get_mut(start..end), cluster.event - at.start),
         };
-        for edge in members {
+        for edge in members.unwrap_or_default() {
             sum.add(edge, height, leads_inside);
             edge.edge.row = row + 1;
             leads_inside = !leads_inside;
         }
-        if let Kind::Turned(next) = &mut cluster.kind {
+        if cluster.kind == Kind::Turned
+            && let Some(next) = starting.get_mut(cluster.starting)
+        {
             sum.add(next, below, !leads_inside);
             next.edge.row = row + 1;
         }
         let limit = match others {
-            [next, ..] if next.places.start == end => next.first,
+            [next, ..] if next.start == end => next.first,
             _ => edges.get(end).map_or(columns.end, |edge| column_of(edge.edge.ends(row).0)),
         };
         let column = send_cluster(row, sum.adds, sum.takes, inside, limit, runs)?;
         inside = (end % 2 == 1).then_some(column);
         place = end;
-        rest = others;
     }
     if let Some(column) = inside
         && let Some(edge) = edges.get_mut(place)
     {
         send_right(row, beside(edge, row), column, runs)?;
     }
-    while let Some(cluster) = clusters.pop() {
-        let place = cluster.places.start;
+    for cluster in list.iter().rev() {
+        let starting = starting.get(cluster.starting..).unwrap_or_default();
         match cluster.kind {
-            Kind::Started(edges) => table.insert(place, edges),
-            Kind::Ended => table.remove(place),
-            Kind::Turned(next) => table.replace(place, next),
+            Kind::Started => table.insert(cluster.start, starting.get(..2).unwrap_or_default()),
+            Kind::Ended => table.remove(cluster.start),
+            Kind::Turned => table.replace(cluster.start, starting.first()),
             Kind::Whole => {}
         }
     }
-    Ok(true)
+    Ok(())
 }

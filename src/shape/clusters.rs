@@ -14,35 +14,50 @@ use heapless::Vec;
 use crate::{
     coverage::{NEAR, Slope, column_of},
     limits::ONE,
-    shape::{active::{CoverageEdge, Track}, bands::SLACK, outline::FillRule, table::Table},
+    shape::{
+        active::{CoverageEdge, Track},
+        bands::SLACK,
+        outline::FillRule,
+        table::Table,
+    },
 };
 
 /// So many clusters a row; rows with more go by bands.
 const MOST: usize = 4;
 
-pub(super) type Clusters = Vec<Cluster, MOST>;
+/// Those of a row, from left to right.
+#[derive(Debug, Default)]
+pub(super) struct Clusters {
+    pub(super) list: Vec<Cluster, MOST>,
+    /// The edges that start in the row.
+    pub(super) starting: Vec<CoverageEdge, { 2 * MOST }>,
+}
 
 /// Edges that are neighbours of each other, and the columns that they have in the row.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Cluster {
-    pub(super) places: Range<usize>,
+    pub(super) kind: Kind,
+    /// Their places.
+    pub(super) start: usize,
+    pub(super) end: usize,
     pub(super) first: i32,
     pub(super) last: i32,
     /// The scan line on which they start or end.
     pub(super) event: i32,
-    pub(super) kind: Kind,
+    /// Where those that start are among all that do.
+    pub(super) starting: usize,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     /// They cross the row, and share columns.
     Whole,
-    /// They start.
-    Started([CoverageEdge; 2]),
-    /// They end.
+    /// Two start.
+    Started,
+    /// Two end.
     Ended,
-    /// It ends, and another goes on.
-    Turned(CoverageEdge),
+    /// One ends, and another goes on.
+    Turned,
 }
 
 /// A row of pixels, from one scan line to another.
@@ -54,159 +69,193 @@ pub(super) struct PixelRow {
 }
 
 impl Cluster {
-    fn new(places: Range<usize>, event: i32, kind: Kind) -> Self {
-        Self { places, first: i32::MAX, last: i32::MIN, event, kind }
+    fn new(kind: Kind, start: usize, end: usize, event: i32) -> Self {
+        Self { kind, start, end, first: i32::MAX, last: i32::MIN, event, starting: 0 }
     }
 
+    #[inline(always)]
     fn include(&mut self, from: i64, to: i64) {
         self.first = self.first.min(column_of(from.min(to)));
         self.last = self.last.max(column_of(from.max(to)));
     }
+}
 
-    /// The edges of the top that waits in a place of the queue.
-    fn started(table: &mut Table<'_, '_, Slope>, fill_rule: FillRule, index: usize, at: PixelRow) -> Option<Self> {
-        let (event, [mut left, mut right]) = table.waiting_edges(index)?;
-        if left.edge.is_right_of(&right.edge) {
-            (left, right) = (right, left);
-        }
-        if left.until <= at.end || right.until <= at.end || left.edge.is_wide() || right.edge.is_wide() {
+impl Clusters {
+    /// Finds those of a row, if all other edges are apart from them and from each other, inside of the clip, and each has slots
+    /// of its own. `are_apart`: all edges that cross the row are apart from each other, inside of the clip.
+    pub(super) fn find(
+        &mut self,
+        table: &mut Table<'_, '_, Slope>,
+        fill_rule: FillRule,
+        at: PixelRow,
+        event: i32,
+        are_apart: bool,
+        columns: &Range<i32>,
+    ) -> Option<()> {
+        self.list.clear();
+        self.starting.clear();
+        // The last row of all is cut where coordinates end.
+        if at.end & (ONE - 1) != 0 {
             return None;
         }
-        let below = [&left, &right].map(|edge| edge.below_by::<false>(at.end - event));
-        let [left_below, right_below] = below;
-        if right_below + SLACK < left_below {
-            return None;
+        if event < at.end {
+            self.find_ended(table, at)?;
+            self.find_started(table, fill_rule, at)?;
         }
-        let mut cluster = Self::new(0..0, event, Kind::Started([left, right]));
-        cluster.include(left.edge.position(), left_below);
-        cluster.include(right.edge.position(), right_below);
         let edges = &*table.active_mut();
-        let place = edges.iter().take_while(|edge| column_of(edge.edge.at_row(at.row)) < cluster.first).count();
-        cluster.places = place..place;
-        // Inside of the shape, they lead outside first.
-        let before = place.checked_sub(1).and_then(|before| edges.get(before)).filter(|_| place % 2 == 1);
-        let alternates = before.is_none_or(|before| {
-            fill_rule == FillRule::EvenOdd || before.winding() != left.winding()
-        });
-        alternates.then_some(cluster)
+        if are_apart { self.check_neighbours(edges, at.row, columns)? } else { self.find_whole(edges, at, columns)? }
+        self.list.iter().all(|cluster| cluster.last - cluster.first < NEAR).then_some(())
     }
 
-    /// The edges that end in the row, from a place on.
-    fn ended(table: &mut Table<'_, '_, Slope>, place: usize, at: PixelRow) -> Option<Self> {
+    fn find_ended(&mut self, table: &mut Table<'_, '_, Slope>, at: PixelRow) -> Option<()> {
+        let mut place = 0;
+        while let Some(edge) = table.active_mut().get(place) {
+            place += 1;
+            if edge.until <= at.end {
+                place = self.add_ended(table, place - 1, at)?;
+            }
+        }
+        Some(())
+    }
+
+    /// The edges that end in the row, from a place on. The place after them is returned.
+    fn add_ended(&mut self, table: &mut Table<'_, '_, Slope>, place: usize, at: PixelRow) -> Option<usize> {
         let (contours, rows) = (table.contours(), table.rows());
-        let rest = table.active_mut().get(place..).unwrap_or_default();
-        let [edge, others @ ..] = rest else { return None };
+        let [edge, others @ ..] = table.active_mut().get(place..)? else { return None };
         let event = edge.until;
         if event == at.end {
             return None;
         }
+        let height = i64::from(event - at.start);
         let top = edge.edge.at_row(at.row);
-        let to = top + edge.edge.step() * i64::from(event - at.start);
-        let mut cluster;
+        let to = top + edge.edge.step() * height;
+        let mut cluster = Cluster::new(Kind::Ended, place, place + 2, event);
+        cluster.include(top, to);
         if let Some(next) = CoverageEdge::below(contours, edge.vertex, edge.contour, event, rows) {
             if next.until <= at.end || next.edge.is_wide() {
                 return None;
             }
-            cluster = Self::new(place..place + 1, event, Kind::Turned(next));
+            (cluster.kind, cluster.end, cluster.starting) = (Kind::Turned, place + 1, self.starting.len());
             cluster.include(next.edge.position(), next.below_by::<false>(at.end - event));
+            self.starting.push(next).ok()?;
         } else {
             let other = others.first()?;
             let other_top = other.edge.at_row(at.row);
-            let other_to = other_top + other.edge.step() * i64::from(event - at.start);
+            let other_to = other_top + other.edge.step() * height;
             let ends = other.until == event
                 && CoverageEdge::below(contours, other.vertex, other.contour, event, rows).is_none();
             if !ends || other_to + SLACK < to {
                 return None;
             }
-            cluster = Self::new(place..place + 2, event, Kind::Ended);
             cluster.include(other_top, other_to);
         }
-        cluster.include(top, to);
-        Some(cluster)
+        self.list.push(cluster).ok()?;
+        Some(cluster.end)
     }
-}
 
-/// Finds the clusters of a row, from left to right, if all other edges are apart from them and from each other, inside of the
-/// clip, and each has slots of its own.
-pub(super) fn find(
-    table: &mut Table<'_, '_, Slope>,
-    fill_rule: FillRule,
-    at: PixelRow,
-    event: i32,
-    columns: &Range<i32>,
-) -> Option<Clusters> {
-    let mut clusters = Clusters::new();
-    // The last row of all is cut where coordinates end.
-    if at.end & (ONE - 1) != 0 {
-        return None;
-    }
-    if event < at.end {
-        find_events(table, fill_rule, at, &mut clusters)?;
-    }
-    let edges = &*table.active_mut();
-    let mut last = columns.start.saturating_sub(1);
-    let mut next = 0;
-    let mut place = 0;
-    // Where the edge before leaves the row, if it crosses all of it.
-    let mut before = None;
-    loop {
-        if let Some(cluster) = clusters.get(next).filter(|cluster| cluster.places.start == place) {
-            if cluster.first <= last {
-                return None;
-            }
-            (last, place) = (cluster.last, cluster.places.end);
-            next += 1;
-            before = None;
-            continue;
+    fn find_started(&mut self, table: &mut Table<'_, '_, Slope>, fill_rule: FillRule, at: PixelRow) -> Option<()> {
+        let count = table.starting_before(at.end)?;
+        for index in 0..count {
+            self.add_started(table, fill_rule, index, at)?;
         }
-        let Some(edge) = edges.get(place) else { break };
-        let (from, to) = (edge.edge.at_row(at.row), edge.edge.at_row(at.row + 1));
-        if column_of(from.min(to)) <= last {
-            let (before_from, before_to) = before?;
-            if to + SLACK < before_to {
+        Some(())
+    }
+
+    /// The edges of the top that waits in a place of the queue.
+    fn add_started(
+        &mut self,
+        table: &mut Table<'_, '_, Slope>,
+        fill_rule: FillRule,
+        index: usize,
+        at: PixelRow,
+    ) -> Option<()> {
+        let starting = self.starting.len();
+        let event = table.waiting_edges(index, |edge| self.starting.push(edge).is_ok())?;
+        let [left, right] = self.starting.get_mut(starting..)? else { return None };
+        if left.edge.is_right_of(&right.edge) {
+            core::mem::swap(left, right);
+        }
+        let (left_below, right_below) =
+            (left.below_by::<false>(at.end - event), right.below_by::<false>(at.end - event));
+        let is_long = |edge: &CoverageEdge| edge.until > at.end && !edge.edge.is_wide();
+        if !is_long(left) || !is_long(right) || right_below + SLACK < left_below {
+            return None;
+        }
+        let mut cluster = Cluster::new(Kind::Started, 0, 0, event);
+        cluster.starting = starting;
+        cluster.include(left.edge.position(), left_below);
+        cluster.include(right.edge.position(), right_below);
+        let edges = &*table.active_mut();
+        let place = edges.iter().take_while(|edge| column_of(edge.edge.at_row(at.row)) < cluster.first).count();
+        (cluster.start, cluster.end) = (place, place);
+        // Inside of the shape, they lead outside first.
+        if fill_rule == FillRule::NonZero
+            && place % 2 == 1
+            && edges.get(place - 1).is_none_or(|before| before.winding() == left.winding())
+        {
+            return None;
+        }
+        let is_before = |other: &&Cluster| (other.start, other.first) < (place, cluster.first);
+        let after = self.list.iter().take_while(is_before).count();
+        self.list.insert(after, cluster).ok()
+    }
+
+    /// Whether the edges beside clusters are apart from them.
+    fn check_neighbours(&self, edges: &[CoverageEdge], row: i32, columns: &Range<i32>) -> Option<()> {
+        let mut before = columns.start.saturating_sub(1);
+        let mut place = 0;
+        for cluster in &self.list {
+            if cluster.start > place {
+                before = column_of(edges.get(cluster.start - 1)?.edge.ends(row).1);
+            }
+            let after = edges.get(cluster.end).map(|edge| column_of(edge.edge.ends(row).0));
+            if cluster.first <= before || cluster.last >= after.unwrap_or(columns.end) {
                 return None;
             }
-            let is_next = next.checked_sub(1).and_then(|index| clusters.get(index));
-            if is_next.is_none_or(|cluster| cluster.places.end != place) {
-                let mut cluster = Cluster::new(place - 1..place, at.end, Kind::Whole);
-                cluster.include(before_from, before_to);
-                clusters.insert(next, cluster).ok()?;
+            (before, place) = (cluster.last, cluster.end);
+        }
+        (before < columns.end).then_some(())
+    }
+
+    /// Those that share columns.
+    fn find_whole(&mut self, edges: &[CoverageEdge], at: PixelRow, columns: &Range<i32>) -> Option<()> {
+        let mut last = columns.start.saturating_sub(1);
+        let mut next = 0;
+        let mut place = 0;
+        // Where the edge before is, if it crosses the whole row.
+        let mut before = None;
+        loop {
+            if let Some(cluster) = self.list.get(next).filter(|cluster| cluster.start == place) {
+                if cluster.first <= last {
+                    return None;
+                }
+                (last, place) = (cluster.last, cluster.end);
                 next += 1;
+                before = None;
+                continue;
             }
-            let cluster = clusters.get_mut(next - 1)?;
-            cluster.places.end = place + 1;
-            cluster.include(from, to);
-        }
-        last = last.max(column_of(from.max(to)));
-        before = Some((from, to));
-        place += 1;
-    }
-    let are_near = clusters.iter().all(|cluster| cluster.last - cluster.first < NEAR);
-    (next == clusters.len() && are_near && last < columns.end).then_some(clusters)
-}
-
-fn find_events(
-    table: &mut Table<'_, '_, Slope>,
-    fill_rule: FillRule,
-    at: PixelRow,
-    clusters: &mut Clusters,
-) -> Option<()> {
-    let mut place = 0;
-    while let Some(edge) = table.active_mut().get(place) {
-        if edge.until > at.end {
+            let Some(edge) = edges.get(place) else { break };
+            let from = edge.edge.at_row(at.row);
+            let to = from + edge.edge.row_step();
+            if column_of(from.min(to)) <= last {
+                let (before_from, before_to) = before?;
+                if to + SLACK < before_to {
+                    return None;
+                }
+                if next == 0 || self.list.get(next - 1)?.end != place {
+                    let mut cluster = Cluster::new(Kind::Whole, place - 1, place, at.end);
+                    cluster.include(before_from, before_to);
+                    self.list.insert(next, cluster).ok()?;
+                    next += 1;
+                }
+                let cluster = self.list.get_mut(next - 1)?;
+                cluster.end = place + 1;
+                cluster.include(from, to);
+            }
+            last = last.max(column_of(from.max(to)));
+            before = Some((from, to));
             place += 1;
-            continue;
         }
-        let cluster = Cluster::ended(table, place, at)?;
-        place = cluster.places.end;
-        clusters.push(cluster).ok()?;
+        (next == self.list.len() && last < columns.end).then_some(())
     }
-    let starting = table.starting_before(at.end)?;
-    for index in 0..starting {
-        let cluster = Cluster::started(table, fill_rule, index, at)?;
-        let order = |other: &Cluster| (other.places.start, other.first) < (cluster.places.start, cluster.first);
-        let after = clusters.iter().take_while(|other| order(other)).count();
-        clusters.insert(after, cluster).ok()?;
-    }
-    Some(())
 }

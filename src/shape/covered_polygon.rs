@@ -13,7 +13,7 @@ use crate::{
         active::{CoverageEdge, contour_of},
         bands::{Band, Winding, are_apart},
         cluster_rows::send_clusters,
-        clusters::PixelRow,
+        clusters::{Clusters, PixelRow},
         outline::{FillRule, Rows, next_index},
         table::Table,
         trapezoids::{all_sent_up_to, alternate, rows_apart, send_all_up_to},
@@ -120,6 +120,7 @@ impl<'a> Polygon<'a> {
             columns: columns.clone(),
             table: Table::new(self.contours, &rows, edges),
             cells: Cells::new(cells, columns),
+            clusters: Clusters::default(),
             changes: Changes::default(),
             runs: Runs::new(sink),
         };
@@ -140,23 +141,26 @@ impl<'a> Polygon<'a> {
             }
             let event = walk.table.next_event(y + 1, rows.end);
             let event_row = pixel_holding(event);
+            let last_row = pixel_holding(event - 1);
+            let mut are_apart = false;
             while row < event_row {
                 if alternate {
-                    row += walk.rows_apart(row..event_row);
-                    if row == event_row {
+                    row += walk.rows_apart(row..last_row + 1);
+                    if row >= event_row {
+                        are_apart = row > event_row;
                         break;
                     }
                 }
-                alternate = walk.send_row(row, rows.end, event, alternate)?;
+                alternate = walk.send_row(row, rows.end, event, alternate, false)?;
                 row += 1;
             }
-            y = row << SUBPIXEL_BITS;
+            y = event_row << SUBPIXEL_BITS;
             if y < event {
-                alternate = walk.send_row(row, rows.end, event, alternate)?;
+                alternate = walk.send_row(event_row, rows.end, event, alternate, are_apart)?;
                 y = y.saturating_add(ONE);
             }
         }
-        send_all_up_to(pixel_holding(rows.end), walk.table.active_mut(), &mut walk.runs)
+        walk.send_all_up_to(pixel_holding(rows.end))
     }
 }
 
@@ -166,6 +170,7 @@ struct Walk<'a, 's, 'r, S> {
     columns: Range<i32>,
     table: Table<'a, 's, Slope>,
     cells: Cells<'s>,
+    clusters: Clusters,
     changes: Changes,
     runs: Runs<'r, S>,
 }
@@ -175,6 +180,10 @@ impl<S: CoverageSink> Walk<'_, '_, '_, S> {
         alternate(self.table.active_mut(), self.fill_rule)
     }
 
+    fn send_all_up_to(&mut self, row: i32) -> Result<(), S::Error> {
+        send_all_up_to(row, self.table.active_mut(), &self.columns, &mut self.changes, &mut self.runs)
+    }
+
     fn rows_apart(&mut self, rows: Range<i32>) -> i32 {
         rows_apart(rows, self.table.active_mut(), &self.columns)
     }
@@ -182,7 +191,7 @@ impl<S: CoverageSink> Walk<'_, '_, '_, S> {
     /// Starts and ends edges on the scan line at the top of a row.
     #[inline(never)]
     fn start_at_row(&mut self, row: i32, y: i32) -> Result<(), S::Error> {
-        send_all_up_to(row, self.table.active_mut(), &mut self.runs)?;
+        self.send_all_up_to(row)?;
         self.table.turn(y);
         self.table.start(y);
         all_sent_up_to(row, self.table.active_mut());
@@ -191,15 +200,16 @@ impl<S: CoverageSink> Walk<'_, '_, '_, S> {
 
     /// Sends a row in which edges share columns, start or end, or some are not apart. Whether the edges alternate below it is
     /// returned.
-    fn send_row(&mut self, row: i32, end: i32, event: i32, alternate: bool) -> Result<bool, S::Error> {
+    fn send_row(&mut self, row: i32, end: i32, event: i32, alternate: bool, are_all_apart: bool) -> Result<bool, S::Error> {
         let start = row << SUBPIXEL_BITS;
         let at = PixelRow { row, start, end: start.saturating_add(ONE).min(end) };
-        let Self { fill_rule, table, columns, changes, runs, .. } = self;
-        if alternate && send_clusters(at, table, event, *fill_rule, columns, changes, runs)? {
+        let Self { fill_rule, table, columns, clusters, changes, runs, .. } = self;
+        if alternate && clusters.find(table, *fill_rule, at, event, are_all_apart, columns).is_some() {
+            send_clusters(clusters, at, table, columns, changes, runs)?;
             return Ok(true);
         }
         let edges = table.active_mut();
-        send_all_up_to(row, edges, runs)?;
+        send_all_up_to(row, edges, columns, changes, runs)?;
         let is_whole = event >= at.end && at.end.wrapping_sub(at.start) == ONE;
         if is_whole && !edges.iter().any(|edge| edge.edge.is_wide()) && are_apart(edges, columns) {
             send_pairs(row, edges, &mut Winding::new(*fill_rule), runs)?;

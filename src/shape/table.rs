@@ -138,17 +138,21 @@ impl<'a, 's, T: Track> Table<'a, 's, T> {
         (is_known && self.active + starting <= self.waiting).then_some(starting)
     }
 
-    /// The edges of one of the tops that wait, and the row that they start on.
+    /// Hands over the edges of one of the tops that wait. The row that they start on is returned.
     #[inline]
-    pub(crate) fn waiting_edges(&self, index: usize) -> Option<(i32, [ActiveEdge<T>; 2])> {
+    pub(crate) fn waiting_edges(&self, index: usize, mut take: impl FnMut(ActiveEdge<T>) -> bool) -> Option<i32> {
         let top = self.slots.get(self.waiting + index).map(ActiveEdge::top)?;
-        let edge = |contour| ActiveEdge::below(self.contours, top.vertex, contour, top.row, self.rows);
-        Some((top.row, [edge(top.contour)?, edge(!top.contour)?]))
+        for contour in [top.contour, !top.contour] {
+            if !take(ActiveEdge::below(self.contours, top.vertex, contour, top.row, self.rows)?) {
+                return None;
+            }
+        }
+        Some(top.row)
     }
 
     /// A top has become two edges, in these places.
     #[inline]
-    pub(crate) fn insert(&mut self, place: usize, edges: [ActiveEdge<T>; 2]) {
+    pub(crate) fn insert(&mut self, place: usize, edges: &[ActiveEdge<T>]) {
         self.waiting += 1;
         self.active += 2;
         if let Some(rest) = self.slots.get_mut(place..self.active) {
@@ -157,17 +161,17 @@ impl<'a, 's, T: Track> Table<'a, 's, T> {
                     *to = *from;
                 }
             }
-            if let [a, b, ..] = rest {
-                [*a, *b] = edges;
+            for (slot, edge) in rest.iter_mut().zip(edges) {
+                *slot = *edge;
             }
         }
     }
 
     /// Another edge goes on.
     #[inline]
-    pub(crate) fn replace(&mut self, place: usize, edge: ActiveEdge<T>) {
-        if let Some(slot) = self.slots.get_mut(place) {
-            *slot = edge;
+    pub(crate) fn replace(&mut self, place: usize, edge: Option<&ActiveEdge<T>>) {
+        if let (Some(slot), Some(edge)) = (self.slots.get_mut(place), edge) {
+            *slot = *edge;
         }
     }
 

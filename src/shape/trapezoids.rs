@@ -12,9 +12,9 @@
 use core::ops::Range;
 
 use crate::{
-    coverage::{CoverageSink, Extent, Runs, Slope, column_of, part_of, send_between},
+    coverage::{Changes, CoverageSink, Extent, Runs, Slope, column_of, part_of, send_between, send_cut},
     limits::SUBPIXEL_BITS,
-    shape::{active::CoverageEdge, bands::Winding, outline::FillRule},
+    shape::{active::CoverageEdge, bands::{SLACK, Winding}, outline::FillRule},
 };
 
 /// A pixel, in positions.
@@ -86,6 +86,8 @@ pub(super) fn send_up_to<S: CoverageSink>(
     row: i32,
     left_edge: &mut CoverageEdge,
     right_edge: &mut CoverageEdge,
+    columns: &Range<i32>,
+    changes: &mut Changes,
     runs: &mut Runs<'_, S>,
 ) -> Result<(), S::Error> {
     let rows = left_edge.edge.row..row;
@@ -95,7 +97,12 @@ pub(super) fn send_up_to<S: CoverageSink>(
     let (mut left, mut right) = (Stepper::new(&left_edge.edge), Stepper::new(&right_edge.edge));
     let (of_left, of_right) = (left_edge.edge.steepness, right_edge.edge.steepness);
     for row in rows {
-        send_between(row, (left.step(), of_left), (right.step(), of_right), runs)?;
+        let (left, right) = ((left.step(), of_left), (right.step(), of_right));
+        if left.0.last < right.0.first {
+            send_between(row, left, right, runs)?;
+        } else {
+            send_cut(row, left, right, columns, changes, runs)?;
+        }
     }
     left.put_back(&mut left_edge.edge, row);
     right.put_back(&mut right_edge.edge, row);
@@ -107,11 +114,13 @@ pub(super) fn send_up_to<S: CoverageSink>(
 pub(super) fn send_all_up_to<S: CoverageSink>(
     row: i32,
     edges: &mut [CoverageEdge],
+    columns: &Range<i32>,
+    changes: &mut Changes,
     runs: &mut Runs<'_, S>,
 ) -> Result<(), S::Error> {
     for pair in edges.as_chunks_mut().0 {
         let [left, right] = pair;
-        send_up_to(row, left, right, runs)?;
+        send_up_to(row, left, right, columns, changes, runs)?;
     }
     Ok(())
 }
@@ -136,42 +145,52 @@ pub(super) fn alternate(edges: &[CoverageEdge], fill_rule: FillRule) -> bool {
     }) && sign == 1
 }
 
-/// How many of the rows, from the first on, are such that each edge crosses all of them a pixel or more from the next one, and
-/// none leaves the clip.
+/// In how many of the rows, from the first on, trapezoids can be left alone: their two edges do not cross, they are a pixel or more
+/// from each other, and none leaves the clip. Edges that end in the last row are not looked at there.
 #[inline(never)]
 pub(super) fn rows_apart(rows: Range<i32>, edges: &[CoverageEdge], columns: &Range<i32>) -> i32 {
-    let count = rows.end - rows.start;
-    let steps = i64::from(count - 1);
-    // Of the edge before: where its right end is in the first row, and how far on in the next. The clip's left border does not
-    // move.
+    let mut apart = rows.end - rows.start;
     let border = |column: i32| i64::from(column.clamp(-FAR, FAR)) << 40;
-    let (mut before, mut step_before) = (border(columns.start) - PIXEL, 0);
-    let mut apart = count;
-    for edge in edges {
-        let (left, right) = edge.edge.ends(rows.start);
-        let step = edge.edge.row_step();
-        let gap = left - before - PIXEL;
-        let opens = step - step_before;
-        if gap < 0 {
-            return 0;
-        }
-        if gap + opens * steps < 0 {
-            apart = apart.min(rows_of(gap, opens));
-        }
-        (before, step_before) = (right, step);
+    // Of the edge before: its right end in the first row, how far on that is in the next, and how many rows more it crosses.
+    let mut before = Gap { from: border(columns.start) - PIXEL, step: 0, rows: apart - 1 };
+    for pair in edges.as_chunks().0 {
+        let [left, right] = pair.each_ref().map(|edge| Gap {
+            from: edge.edge.at_row(rows.start),
+            step: edge.edge.row_step(),
+            rows: rows.end - rows.start - 1 - i32::from(edge.until < rows.end << SUBPIXEL_BITS),
+        });
+        let first = Gap { from: left.from + left.step.min(0), ..left };
+        apart = apart.min(before.rows_to(first, PIXEL, 0)).min(left.rows_to(right, -SLACK, 1));
+        before = Gap { from: right.from + right.step.max(0), ..right };
     }
-    let gap = border(columns.end) - before - 1;
+    let end = Gap { from: border(columns.end), step: 0, rows: before.rows };
+    apart.min(before.rows_to(end, 1, 0))
+}
+
+/// What is to the right of an edge.
+#[derive(Clone, Copy)]
+struct Gap {
+    from: i64,
+    step: i64,
+    rows: i32,
+}
+
+impl Gap {
+    /// How many rows there are up to where it is less than so wide up to another edge; many if it never is. `more` rows beyond those
+    /// that both edges cross are looked at.
+    #[inline(always)]
+    fn rows_to(self, other: Self, width: i64, more: i32) -> i32 {
+        let rows = self.rows.min(other.rows);
+        let gap = other.from - self.from - width;
+        let opens = other.step - self.step;
+        if rows < 0 || (gap >= 0 && gap + opens * i64::from(rows + more) >= 0) { i32::MAX } else { rows_of(gap, opens, more) }
+    }
+}
+
+#[cold]
+fn rows_of(gap: i64, opens: i64, more: i32) -> i32 {
     if gap < 0 {
         return 0;
     }
-    if gap - step_before * steps < 0 {
-        apart = apart.min(rows_of(gap, -step_before));
-    }
-    apart
-}
-
-/// In how many rows a gap that closes is at least 0.
-#[cold]
-fn rows_of(gap: i64, opens: i64) -> i32 {
-    i32::try_from(gap.unsigned_abs() / opens.unsigned_abs().max(1)).map_or(i32::MAX, |rows| rows.saturating_add(1))
+    i32::try_from(gap.unsigned_abs() / opens.unsigned_abs().max(1)).map_or(i32::MAX, |rows| rows.saturating_add(1 - more))
 }

@@ -5,7 +5,7 @@ use core::ops::Range;
 use crate::coverage::{
     CoverageSink,
     few::{Changes, send_few},
-    ramp::{Extent, FULL, Ramp},
+    ramp::{Extent, FULL, Ramp, Steep},
     runs::Runs,
     sides::send_between,
     straight::{
@@ -80,10 +80,10 @@ pub(super) fn send_rows<const BITS: u32, S: CoverageSink>(
 
 /// A row of which the edges share columns, or that the clip cuts.
 #[inline(never)]
-fn send_cut<S: CoverageSink>(
+pub(crate) fn send_cut<S: CoverageSink>(
     row: i32,
-    left: (Extent, Rise),
-    right: (Extent, Rise),
+    left: (Extent, impl Steep),
+    right: (Extent, impl Steep),
     columns: &Range<i32>,
     changes: &mut Changes,
     runs: &mut Runs<'_, S>,
@@ -101,8 +101,8 @@ fn send_cut<S: CoverageSink>(
 #[inline(never)]
 fn send_far_cut<S: CoverageSink>(
     row: i32,
-    left: (Extent, Rise),
-    right: (Extent, Rise),
+    left: (Extent, impl Steep),
+    right: (Extent, impl Steep),
     columns: &Range<i32>,
     runs: &mut Runs<'_, S>,
 ) -> Result<(), S::Error> {
