@@ -7,6 +7,30 @@ use core::hint::black_box;
 
 use embedded_graphics_core::pixelcolor::{IntoStorage, PixelColor, raw::RawData};
 
+/// One of eight colours of three channels, of at most six bits each, in a register of eight lanes of 16 bits.
+///
+/// A channel is `b + q`, with `q` the nearest to `x = (t - b) alpha / 255`: adding the whole number `b` changes no rounding. To keep it
+/// positive, `q` is moved by 64: of `x 255 + 64 255 + 128 = 255 k + s`, where `k = q + 64` is at most 127 and `1 <= s <= 255`, the upper
+/// half of 257 times that is `k`, as it is divided by `255 + 1 / 257`, and `k / 257 < s <= 255 < 255 + (k + 1) / 257`. The lanes of
+/// `bottom` and of the sums wrap together: what is added to a channel leaves it within its bits.
+#[inline(always)]
+pub(super) fn narrow_lane<C, const LOW: u32, const MIDDLE: u32, const HIGH: u32>(top: C, bottom: C, alpha: u8) -> C
+where
+    C: PixelColor + IntoStorage + From<C::Raw>,
+    u16: From<C::Storage>,
+{
+    const MOVED: u16 = 64;
+    let (top, bottom) = (u16::from(top.into_storage()), u16::from(bottom.into_storage()));
+    let channel = |shift: u32, bits: u32| {
+        let part = |colour: u16| (colour >> shift) & (u16::MAX >> (u16::BITS - bits));
+        let product = part(top).wrapping_sub(part(bottom)).wrapping_mul(alpha.into());
+        (product.wrapping_add(255 * MOVED + 127) / 255) << shift
+    };
+    let moved = MOVED | (MOVED << LOW) | (MOVED << (LOW + MIDDLE));
+    let sum = channel(0, LOW).wrapping_add(channel(LOW, MIDDLE)).wrapping_add(channel(LOW + MIDDLE, HIGH));
+    C::Raw::from_u32(bottom.wrapping_add(sum).wrapping_sub(moved).into()).into()
+}
+
 macro_rules! lane {
     ($name:ident, $lane:ident, $divided_by_255:expr) => {
         /// One of eight colours in a register of eight lanes.
@@ -32,7 +56,7 @@ macro_rules! lane {
 
 // To the nearest, without ties. For lanes of 16 bits the compiler knows a reciprocal that takes two instructions; for wider ones
 // what it knows takes eight `Rgb888` in 144, and what `mix_one` does, in 124.
-lane!(narrow_lane, u16, |sum: u16| (sum + 127) / 255);
+lane!(grey_lane, u16, |sum: u16| (sum + 127) / 255);
 lane!(wide_lane, u32, |sum: u32| (sum + 128 + ((sum + 128) >> 8)) >> 8);
 
 /// What a lane does, in all eight.

@@ -5,7 +5,7 @@ use embedded_graphics_core::pixelcolor::{
     Rgb888, raw::RawData,
 };
 
-use crate::blend::lanes::{mix_eight, mix_eights, narrow_lane, wide_lane};
+use crate::blend::lanes::{grey_lane, mix_eight, mix_eights, narrow_lane, wide_lane};
 
 /// A colour that can be mixed with another: every colour of embedded-graphics, and others by implementing it.
 ///
@@ -142,7 +142,7 @@ macro_rules! impl_mix {
     };
 }
 
-impl_mix!(mix_one, narrow_lane::<_, 8, 0, 0> => Gray2 Gray4 Gray8);
+impl_mix!(mix_one, grey_lane::<_, 8, 0, 0> => Gray2 Gray4 Gray8);
 impl_mix!(mix_three::<5, 5, 5>, narrow_lane::<_, 5, 5, 5> => Rgb555 Bgr555);
 impl_mix!(mix_three::<5, 6, 5>, narrow_lane::<_, 5, 6, 5> => Rgb565 Bgr565);
 impl_mix!(mix_three::<6, 6, 6>, wide_lane::<_, 6, 6, 6> => Rgb666 Bgr666);

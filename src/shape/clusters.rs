@@ -109,11 +109,10 @@ impl Clusters {
 
     fn find_ended(&mut self, table: &mut Table<'_, '_, Slope>, at: PixelRow) -> Option<()> {
         let mut place = 0;
-        while let Some(edge) = table.active_mut().get(place) {
-            place += 1;
-            if edge.until <= at.end {
-                place = self.add_ended(table, place - 1, at)?;
-            }
+        while let Some(before) =
+            table.active_mut().iter().skip(place).position(|edge| edge.until <= at.end)
+        {
+            place = self.add_ended(table, place + before, at)?;
         }
         Some(())
     }
