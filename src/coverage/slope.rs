@@ -18,8 +18,8 @@ pub struct Slope {
     position: (u32, i32),
     step: (u32, i32),
     pub(crate) steepness: Steepness,
-    /// The row of pixels that it has been sent up to.
-    pub(crate) row: i32,
+    /// What is above has been sent, or added up: a row of pixels in trapezoids, a scan line in bands.
+    pub(crate) sent_to: i32,
 }
 
 #[inline(always)]
@@ -42,7 +42,7 @@ pub(crate) fn position_of(coordinate: i32) -> i64 {
 }
 
 impl Slope {
-    pub(crate) const EMPTY: Self = Self { position: (0, 0), step: (0, 0), steepness: Steepness::NONE, row: 0 };
+    pub(crate) const EMPTY: Self = Self { position: (0, 0), step: (0, 0), steepness: Steepness::NONE, sent_to: 0 };
 
     /// The edge on scan line `y`, which is not below its end.
     #[inline(always)]
@@ -66,7 +66,7 @@ impl Slope {
         let width = dx.unsigned_abs();
         let slope = divided(width, dy);
         let slope = if dx < 0 { -slope } else { slope };
-        Self { position: halves(position), step: halves(slope), steepness: Steepness::of(dy, width), row: 0 }
+        Self { position: halves(position), step: halves(slope), steepness: Steepness::of(dy, width), sent_to: 0 }
     }
 
     /// `below` the top of an edge anywhere: it cannot be stepped, see [`widen`](Self::widen).

@@ -7,11 +7,9 @@
 //!
 //! Where edges cross in a band, see `crossing`.
 
-use core::ops::Range;
-
 use crate::{
     coverage::{
-        Cells, Extent, Ramp, Steepness, column_of, height_of,
+        Cells, Extent, Ramp, Steepness, height_of,
     },
     limits::ONE,
     shape::{active::CoverageEdge, outline::FillRule},
@@ -69,21 +67,18 @@ pub(super) struct Band {
     pub(super) height: i32,
 }
 
-/// Of an edge that crosses the whole row, the sign that it has had from the top of the row on, plus this, is marked: if
-/// it keeps it to the row's end, it is added once, in place of once a band.
+/// The sign that an edge has had so far, plus this, is marked: while it keeps it, what it leaves is not added, but once, in the end,
+/// in place of once a band.
 const SIGN_MARK: i32 = 2;
 
 impl Band {
-    pub(super) fn offset(self) -> i32 {
-        self.y & (ONE - 1)
+    fn bottom(self) -> i32 {
+        self.y + self.height
     }
 
-    fn is_first(self) -> bool {
-        self.offset() == 0
-    }
-
+    /// Whether it is the last of its row.
     fn is_last(self) -> bool {
-        self.offset() + self.height == ONE
+        self.bottom() & (ONE - 1) == 0
     }
 
     /// Adds the band, and takes the edges to its lower end; they are in order at its upper end.
@@ -93,41 +88,39 @@ impl Band {
         if !keep_their_order::<WIDE>(edges, self.height) {
             return self.add_crossing::<WIDE>(edges, fill_rule, cells);
         }
-        let row_bottom = self.y | (ONE - 1);
-        let is_put_off = !WIDE && self.is_first() && !self.is_last();
         let mut winding = Winding::new(fill_rule);
         for edge in edges {
             let sign = winding.cross(edge.winding());
             let (from, to) = (edge.edge.position(), edge.below_by::<WIDE>(self.height));
             edge.edge.move_to(to);
-            if is_put_off && edge.until > row_bottom {
-                edge.edge.steepness = edge.edge.steepness.marked(sign + SIGN_MARK);
+            let mark = edge.edge.steepness.mark();
+            let is_over = self.is_last() || edge.until == self.bottom();
+            if mark == 0 && (is_over || WIDE) {
+                if sign != 0 {
+                    cells.add_ramp(&edge.ramp::<WIDE>(from, to, height_of(self.height)), sign);
+                }
                 continue;
             }
-            let mark = edge.edge.steepness.mark();
-            if mark == 0 {
-                if sign != 0 {
-                    cells.add_ramp(&edge.ramp::<WIDE>(from, to, height_of(self.height)), sign);
-                }
-            } else if mark != sign + SIGN_MARK {
-                edge.add_put_off(from, self.offset(), cells);
-                if sign != 0 {
-                    cells.add_ramp(&edge.ramp::<WIDE>(from, to, height_of(self.height)), sign);
-                }
-            } else if self.is_last() {
-                edge.add_put_off(to, ONE, cells);
+            if mark != sign + SIGN_MARK {
+                edge.add_put_off(from, self.y, cells);
+                edge.edge.sent_to = self.y;
+                edge.edge.steepness = edge.edge.steepness.marked(sign + SIGN_MARK);
+            }
+            if is_over || WIDE {
+                edge.add_put_off(to, self.bottom(), cells);
             }
         }
     }
 }
 
 impl CoverageEdge {
-    /// Adds what was put off of it, from the top of the row down `height` rows of 1/256 pixel, to `to`.
+    /// Adds what was put off of it, down to scan line `y`, where it is at `to`.
     #[inline(always)]
-    pub(super) fn add_put_off(&mut self, to: i64, height: i32, cells: &mut Cells<'_>) {
+    pub(super) fn add_put_off(&mut self, to: i64, y: i32, cells: &mut Cells<'_>) {
         let sign = self.edge.steepness.mark() - SIGN_MARK;
         self.edge.steepness = self.edge.steepness.marked(0);
         if sign == 1 || sign == -1 {
+            let height = y - self.edge.sent_to;
             let from = to - self.edge.step() * i64::from(height);
             cells.add_ramp(&self.ramp::<false>(from, to, height_of(height)), sign);
         }
@@ -145,18 +138,4 @@ fn keep_their_order<const WIDE: bool>(edges: &[CoverageEdge], height: i32) -> bo
         let below = edge.below_by::<WIDE>(height);
         core::mem::replace(&mut before, below) <= below.saturating_add(SLACK)
     })
-}
-
-/// Whether none cross in a whole row of pixels, all are inside the clip, and no two share a column.
-#[inline(always)]
-pub(super) fn are_apart(edges: &[CoverageEdge], columns: &Range<i32>) -> bool {
-    let mut last = columns.start.saturating_sub(1);
-    for edge in edges {
-        let (from, to) = (edge.edge.position(), edge.below_by::<false>(ONE));
-        if column_of(from.min(to)) <= last {
-            return false;
-        }
-        last = column_of(from.max(to));
-    }
-    last < columns.end
 }

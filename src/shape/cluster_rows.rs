@@ -90,14 +90,14 @@ pub(super) fn send_clusters<S: CoverageSink>(
         };
         for edge in members.unwrap_or_default() {
             sum.add(edge, height, leads_inside);
-            edge.edge.row = row + 1;
+            edge.edge.sent_to = row + 1;
             leads_inside = !leads_inside;
         }
         if cluster.kind == Kind::Turned
             && let Some(next) = starting.get_mut(cluster.starting)
         {
             sum.add(next, below, !leads_inside);
-            next.edge.row = row + 1;
+            next.edge.sent_to = row + 1;
         }
         let limit = match others {
             [next, ..] if next.start == end => next.first,

@@ -35,7 +35,7 @@ impl Band {
     ) {
         let mut least = i64::MAX;
         for edge in edges.iter_mut().rev() {
-            edge.add_put_off(edge.edge.position(), self.offset(), cells);
+            edge.add_put_off(edge.edge.position(), self.y, cells);
             let below = edge.below_by::<WIDE>(self.height);
             if below <= least {
                 least = below;

@@ -15,6 +15,7 @@ mod line;
 mod outline;
 mod polygon;
 mod runs;
+mod strip;
 mod supersampled;
 mod supersampled_polygon;
 mod table;

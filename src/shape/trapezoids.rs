@@ -27,7 +27,7 @@ impl Slope {
     /// Where it is at the top of a row of pixels.
     #[inline(always)]
     pub(super) fn at_row(&self, row: i32) -> i64 {
-        self.position() + self.row_step() * i64::from(row - self.row)
+        self.position() + self.row_step() * i64::from(row - self.sent_to)
     }
 
     /// From a row of pixels to the next.
@@ -46,7 +46,7 @@ impl Slope {
     /// It has been sent up to a row, and is at its top.
     #[inline(always)]
     pub(super) fn go_to_row(&mut self, row: i32, position: i64) {
-        self.row = row;
+        self.sent_to = row;
         self.move_to(position);
     }
 }
@@ -90,7 +90,7 @@ pub(super) fn send_up_to<S: CoverageSink>(
     changes: &mut Changes,
     runs: &mut Runs<'_, S>,
 ) -> Result<(), S::Error> {
-    let rows = left_edge.edge.row..row;
+    let rows = left_edge.edge.sent_to..row;
     if rows.is_empty() {
         return Ok(());
     }
@@ -125,11 +125,11 @@ pub(super) fn send_all_up_to<S: CoverageSink>(
     Ok(())
 }
 
-/// Nothing is left to be sent above the row that all edges are on top of.
+/// All has been sent up to a row.
 #[inline(always)]
-pub(super) fn all_sent_up_to(row: i32, edges: &mut [CoverageEdge]) {
+pub(super) fn set_all_sent_to(row: i32, edges: &mut [CoverageEdge]) {
     for edge in edges {
-        edge.edge.row = row;
+        edge.edge.sent_to = row;
     }
 }
 

@@ -1,0 +1,213 @@
+//! A strip of an anti-aliased polygon, on its way down, from one scan line on which edges start or end to the next.
+//!
+//! Where that is rows away, what is between edges is left to trapezoids. Elsewhere a row is sent as soon as it is complete: by pairs
+//! of edges if it has none that start or end and none that share columns, else band by band through the cells.
+
+use core::ops::Range;
+
+use crate::{
+    coverage::{Cell, Cells, Changes, CoverageSink, Extent, Runs, Slope, column_of, send_between},
+    limits::{ONE, SUBPIXEL_BITS},
+    shape::{
+        Polygon,
+        active::{CoverageEdge, contour_of},
+        bands::{Band, Winding},
+        cluster_rows::send_clusters,
+        clusters::{Clusters, PixelRow},
+        outline::{FillRule, next_index},
+        table::Table,
+        trapezoids::{alternate, rows_apart, send_all_up_to, set_all_sent_to},
+    },
+    subpixel::pixel_holding,
+};
+
+/// Trapezoids are begun where the next edge starts or ends as many rows farther down.
+const LONG: i32 = 3;
+
+/// Rows in which edges start or end, one below the other, are left to bands if there are no more edges than that.
+const FEW_EDGES: usize = 4;
+
+/// What it takes.
+pub(super) struct Strip<'c, 's, S> {
+    columns: Range<i32>,
+    cells: Cells<'c>,
+    clusters: Clusters,
+    changes: Changes,
+    runs: Runs<'s, S>,
+}
+
+impl<'c, 's, S: CoverageSink> Strip<'c, 's, S> {
+    /// No wider than there are cells.
+    pub(super) fn new(columns: Range<i32>, cells: &'c mut [Cell], sink: &'s mut S) -> Self {
+        cells.fill(Cell::EMPTY);
+        Self {
+            cells: Cells::new(cells, columns.clone()),
+            columns,
+            clusters: Clusters::default(),
+            changes: Changes::default(),
+            runs: Runs::new(sink),
+        }
+    }
+
+    /// Sends the scan lines of a polygon, from the top of a row of pixels on.
+    pub(super) fn cover(
+        mut self,
+        polygon: &Polygon<'_>,
+        rows: &Range<i32>,
+        edges: &mut [CoverageEdge],
+    ) -> Result<(), S::Error> {
+        let fill_rule = polygon.fill_rule;
+        let mut table = Table::new(polygon.contours, rows, edges);
+        let mut y = rows.start;
+        let mut next_trapezoids = y;
+        while y < rows.end {
+            table.start(y);
+            if table.is_idle() {
+                let next = table.next_start().max(y + 1).min(rows.end);
+                // The last row of all ends where coordinates do.
+                if next > y | (ONE - 1) || next == rows.end {
+                    self.cells.sweep(pixel_holding(y), &mut self.runs)?;
+                }
+                y = next;
+                continue;
+            }
+            let event = table.next_event(y + 1, rows.end);
+            let is_wide = table.active_mut().iter().any(|edge| edge.edge.is_wide());
+            while y < event {
+                let row = pixel_holding(y);
+                let row_end = (y | (ONE - 1)).saturating_add(1);
+                let bottom = row_end.min(event);
+                let band = Band { y, height: bottom - y };
+                if band.height == ONE && !is_wide {
+                    if event - y >= LONG * ONE && y >= next_trapezoids && alternate(table.active_mut(), fill_rule) {
+                        y = self.send_trapezoids(row, rows.end, &mut table, fill_rule)?;
+                        next_trapezoids = y + 1;
+                        break;
+                    }
+                    if are_apart(table.active_mut(), &self.columns) {
+                        send_pairs(row, table.active_mut(), fill_rule, &mut self.runs)?;
+                        y = bottom;
+                        continue;
+                    }
+                }
+                y = bottom;
+                if is_wide {
+                    table.widen(band);
+                    band.add::<true>(table.active_mut(), fill_rule, &mut self.cells);
+                } else {
+                    band.add::<false>(table.active_mut(), fill_rule, &mut self.cells);
+                }
+                if y == row_end {
+                    self.cells.sweep(row, &mut self.runs)?;
+                }
+            }
+            table.turn(y);
+        }
+        Ok(())
+    }
+
+    /// Sends trapezoids and what is between them, from the top of a row on, as far as it goes. The scan line at the top of a row
+    /// that all has been sent up to is returned; what starts or ends there is still to be done.
+    #[inline(never)]
+    fn send_trapezoids(
+        &mut self,
+        mut row: i32,
+        end: i32,
+        table: &mut Table<'_, '_, Slope>,
+        fill_rule: FillRule,
+    ) -> Result<i32, S::Error> {
+        let Self { columns, clusters, changes, runs, .. } = self;
+        set_all_sent_to(row, table.active_mut());
+        'rows: while !table.is_idle() {
+            let y = row << SUBPIXEL_BITS;
+            let event = table.next_event(y, end);
+            let event_row = pixel_holding(event);
+            let mut are_all_apart = false;
+            let is_next = row == event_row;
+            while row < event_row {
+                row += rows_apart(row..pixel_holding(event - 1) + 1, table.active_mut(), columns);
+                if row >= event_row {
+                    are_all_apart = row > event_row;
+                    row = event_row;
+                    break;
+                }
+                let at = PixelRow { row, start: row << SUBPIXEL_BITS, end: (row + 1) << SUBPIXEL_BITS };
+                if clusters.find(table, fill_rule, at, event, false, columns).is_none() {
+                    break 'rows;
+                }
+                send_clusters(clusters, at, table, columns, changes, runs)?;
+                row += 1;
+            }
+            let start = row << SUBPIXEL_BITS;
+            let at = PixelRow { row, start, end: start.saturating_add(ONE).min(end) };
+            let is_dense = is_next && table.active_mut().len() <= FEW_EDGES;
+            if event == start
+                || is_dense
+                || clusters.find(table, fill_rule, at, event, are_all_apart, columns).is_none()
+            {
+                break;
+            }
+            send_clusters(clusters, at, table, columns, changes, runs)?;
+            row += 1;
+        }
+        send_all_up_to(row, table.active_mut(), columns, changes, runs)?;
+        set_all_sent_to(row << SUBPIXEL_BITS, table.active_mut());
+        Ok(row << SUBPIXEL_BITS)
+    }
+}
+
+/// Whether none cross in a whole row of pixels, all are inside the clip, and no two share a column.
+#[inline(always)]
+fn are_apart(edges: &[CoverageEdge], columns: &Range<i32>) -> bool {
+    let mut last = columns.start.saturating_sub(1);
+    for edge in edges {
+        let (from, to) = (edge.edge.position(), edge.below_by::<false>(ONE));
+        if column_of(from.min(to)) <= last {
+            return false;
+        }
+        last = column_of(from.max(to));
+    }
+    last < columns.end
+}
+
+/// Sends the edges of a whole row, and takes them to its lower end; some may have the inside, or none of it, on either side.
+#[inline(never)]
+fn send_pairs<S: CoverageSink>(
+    row: i32,
+    edges: &mut [CoverageEdge],
+    fill_rule: FillRule,
+    runs: &mut Runs<'_, S>,
+) -> Result<(), S::Error> {
+    let mut winding = Winding::new(fill_rule);
+    let mut left = None;
+    for edge in edges {
+        let sign = winding.cross(edge.winding());
+        let (from, to) = (edge.edge.position(), edge.below_by::<false>(ONE));
+        edge.edge.move_to(to);
+        let side = (Extent::between(from, to), edge.edge.steepness);
+        match (sign, left.take()) {
+            (1, _) => left = Some(side),
+            (-1, Some(left)) => send_between(row, left, side, runs)?,
+            (_, kept) => left = kept,
+        }
+    }
+    Ok(())
+}
+
+impl Table<'_, '_, Slope> {
+    /// Brings edges that are not in the narrow zone up to date for a band.
+    fn widen(&mut self, band: Band) {
+        let Band { y, height } = band;
+        let bottom = y + height;
+        let contours = self.contours();
+        for slot in self.active_mut() {
+            if slot.edge.is_wide() {
+                let contour = contour_of(contours, slot.contour);
+                let upper = next_index(contour, slot.vertex, slot.contour < 0);
+                if let (Some(&upper), Some(&lower)) = (contour.get(upper as usize), contour.get(slot.vertex as usize)) {
+                    slot.edge.widen(upper, lower, y, bottom);
+                }
+            }
+        }
+    }
+}
