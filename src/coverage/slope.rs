@@ -9,6 +9,7 @@ use crate::{
     Vertex,
     coverage::ramp::Steep,
     edge::{Descent, divide_product},
+    limits::SUBPIXEL_BITS,
 };
 
 /// An edge on its current scan line.
@@ -16,7 +17,8 @@ use crate::{
 pub struct Slope {
     /// Halves, the lower first, so that scratch has no padding.
     position: (u32, i32),
-    step: (u32, i32),
+    /// How far on it is in the next row of pixels; of a wide edge, at the end of the band that it was made for.
+    row_step: (u32, i32),
     pub(crate) steepness: Steepness,
     /// What is above has been sent, or added up: a row of pixels in trapezoids, a scan line in bands.
     pub(crate) sent_to: i32,
@@ -42,7 +44,7 @@ pub(crate) fn position_of(coordinate: i32) -> i64 {
 }
 
 impl Slope {
-    pub(crate) const EMPTY: Self = Self { position: (0, 0), step: (0, 0), steepness: Steepness::NONE, sent_to: 0 };
+    pub(crate) const EMPTY: Self = Self { position: (0, 0), row_step: (0, 0), steepness: Steepness::NONE, sent_to: 0 };
 
     /// The edge on scan line `y`, which is not below its end.
     #[inline(always)]
@@ -56,17 +58,13 @@ impl Slope {
     #[inline(always)]
     pub(crate) fn narrow(descent: Descent, below: i32) -> Self {
         let Descent { x0, x1, dy } = descent;
-        let edge = Self::directed(position_of(x0), x1.wrapping_sub(x0), dy);
-        Self { position: halves(edge.position() + i64::from(below) * edge.step()), ..edge }
-    }
-
-    /// From a position in the direction (dx, dy), both at most 2^22.
-    #[inline(always)]
-    pub(crate) fn directed(position: i64, dx: i32, dy: u32) -> Self {
-        let width = dx.unsigned_abs();
-        let slope = divided(width, dy);
-        let slope = if dx < 0 { -slope } else { slope };
-        Self { position: halves(position), step: halves(slope), steepness: Steepness::of(dy, width), sent_to: 0 }
+        let (step, steepness) = directed(x1.wrapping_sub(x0), dy);
+        Self {
+            position: halves(position_of(x0) + i64::from(below) * step),
+            row_step: halves(step << SUBPIXEL_BITS),
+            steepness,
+            sent_to: 0,
+        }
     }
 
     /// `below` the top of an edge anywhere: it cannot be stepped, see [`widen`](Self::widen).
@@ -87,7 +85,7 @@ impl Slope {
         let below = |y: i32| y.wrapping_sub(upper.y.to_bits()).cast_unsigned();
         let at = |y: i32| wide_position(Descent::between(upper, lower), below(y));
         self.position = halves(at(y));
-        self.step = halves(at(bottom).wrapping_sub(at(y)));
+        self.row_step = halves(at(bottom).wrapping_sub(at(y)));
     }
 
     #[inline(always)]
@@ -100,10 +98,31 @@ impl Slope {
         self.position = halves(position);
     }
 
+    /// How far on it is on the next scan line.
     #[inline(always)]
     pub(crate) fn step(&self) -> i64 {
-        joined(self.step)
+        self.row_step() >> SUBPIXEL_BITS
     }
+
+    /// How far on it is in the next row of pixels.
+    #[inline(always)]
+    pub(crate) fn row_step(&self) -> i64 {
+        joined(self.row_step)
+    }
+
+    /// How far on a wide edge is at the end of its band.
+    #[inline(always)]
+    pub(crate) fn band_step(&self) -> i64 {
+        joined(self.row_step)
+    }
+}
+
+/// How far on an edge in the direction (dx, dy), both at most 2^22, is on the next of `dy` scan lines.
+#[inline(always)]
+pub(crate) fn directed(dx: i32, dy: u32) -> (i64, Steepness) {
+    let width = dx.unsigned_abs();
+    let slope = divided(width, dy);
+    (if dx < 0 { -slope } else { slope }, Steepness::of(dy, width))
 }
 
 /// A position on an edge of any size.

@@ -20,7 +20,7 @@ impl CoverageEdge {
     #[inline(always)]
     pub(super) fn below_by<const WIDE: bool>(&self, height: i32) -> i64 {
         if WIDE && self.edge.is_wide() {
-            self.edge.position().wrapping_add(self.edge.step())
+            self.edge.position().wrapping_add(self.edge.band_step())
         } else {
             self.edge.position() + self.edge.step() * i64::from(height)
         }

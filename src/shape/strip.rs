@@ -161,7 +161,8 @@ impl<'c, 's, S: CoverageSink> Strip<'c, 's, S> {
 fn are_apart(edges: &[CoverageEdge], columns: &Range<i32>) -> bool {
     let mut last = columns.start.saturating_sub(1);
     for edge in edges {
-        let (from, to) = (edge.edge.position(), edge.below_by::<false>(ONE));
+        let from = edge.edge.position();
+        let to = from + edge.edge.row_step();
         if column_of(from.min(to)) <= last {
             return false;
         }
@@ -182,7 +183,8 @@ fn send_pairs<S: CoverageSink>(
     let mut left = None;
     for edge in edges {
         let sign = winding.cross(edge.winding());
-        let (from, to) = (edge.edge.position(), edge.below_by::<false>(ONE));
+        let from = edge.edge.position();
+        let to = from + edge.edge.row_step();
         edge.edge.move_to(to);
         let side = (Extent::between(from, to), edge.edge.steepness);
         match (sign, left.take()) {

@@ -30,12 +30,6 @@ impl Slope {
         self.position() + self.row_step() * i64::from(row - self.sent_to)
     }
 
-    /// From a row of pixels to the next.
-    #[inline(always)]
-    pub(super) fn row_step(&self) -> i64 {
-        self.step() << SUBPIXEL_BITS
-    }
-
     /// Its left end in the row, and its right one.
     #[inline(always)]
     pub(super) fn ends(&self, row: i32) -> (i64, i64) {

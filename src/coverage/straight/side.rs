@@ -2,7 +2,7 @@
 
 use crate::coverage::{
     ramp::{Extent, Ramp, Steep, height_in},
-    slope::{Slope, Steepness, high_word},
+    slope::{Steepness, directed, high_word},
 };
 
 /// An edge that goes down; heights in 2^-`BITS` pixel.
@@ -69,9 +69,8 @@ impl<const BITS: u32> Straight<BITS> {
     /// From one position and height to another, in the direction (dx, dy), both at most 2^22.
     #[inline(always)]
     pub(crate) fn new(from: (i64, i32), to: (i64, i32), dx: i32, dy: u32) -> Self {
-        let slope = Slope::directed(0, dx, dy);
-        let rise = Rise::new(slope.steepness);
-        Self { position: from.0, step: slope.step(), y: from.1, until: to.1, end: to.0, rise }
+        let (step, steepness) = directed(dx, dy);
+        Self { position: from.0, step, y: from.1, until: to.1, end: to.0, rise: Rise::new(steepness) }
     }
 
     /// From here to a position below.
@@ -200,15 +199,15 @@ mod tests {
     fn words_are_multiplied_to_the_same_heights() {
         let lengths = || (1..=22).flat_map(|bits| [(1_u32 << bits) - 1, 1 << bits, (1 << bits) / 3 * 2 + 1]);
         for (dx, dy) in lengths().flat_map(|dx| lengths().map(move |dy| (dx, dy))) {
-            let slope = Slope::directed(0, dx.cast_signed(), dy);
-            let rise = Rise::new(slope.steepness);
+            let (_, steepness) = directed(dx.cast_signed(), dy);
+            let rise = Rise::new(steepness);
             // In 2^-32 pixel: what it crosses in a row, if that is less than a pixel.
             let widest = u32::try_from((u64::from(dx) << 32) / u64::from(dy)).unwrap_or(u32::MAX);
             for across in (0..32).map(|bits| widest >> bits).chain((1..100).map(|part| widest / 100 * part)) {
-                assert_eq!(rise.down_in_words(across), slope.steepness.down(across), "{dx} / {dy}: {across}");
+                assert_eq!(rise.down_in_words(across), steepness.down(across), "{dx} / {dy}: {across}");
             }
             if dx >= dy {
-                assert_eq!(rise.down_a_pixel_in_words(), slope.steepness.down_a_pixel(), "{dx} / {dy}");
+                assert_eq!(rise.down_a_pixel_in_words(), steepness.down_a_pixel(), "{dx} / {dy}");
             }
         }
     }
