@@ -113,20 +113,24 @@ impl Ramp {
     #[inline(always)]
     pub(crate) fn new(extent: Extent, height: u32, steep: impl Steep) -> Self {
         let Extent { first, last, left, right } = extent;
-        let in_one = || height - high_word(height, (left >> 1) + (right >> 1));
+        let in_one = height - high_word(height, (left >> 1) + (right >> 1));
         if first == last {
-            return Self::in_column(first, height, in_one());
+            return Self::in_column(first, height, in_one);
         }
-        let down = steep.down(!left).min(height);
-        let (rest, step) =
-            if last == first + 1 { (height - down, 0) } else { (steep.down(right).min(height), steep.down_a_pixel()) };
+        let beyond = high_word(right, steep.down(right).min(height)) >> 1;
+        let (first_area, second_area, step) = if last == first + 1 {
+            (in_two(in_one, height, beyond), 0, 0)
+        } else {
+            let (down, step) = (steep.down(!left).min(height), steep.down_a_pixel());
+            (high_word(!left, down) >> 1, down + (step >> 1), step)
+        };
         Self {
             first,
             last,
             height,
-            first_area: high_word(!left, down) >> 1,
-            last_area: height - (high_word(right, rest) >> 1),
-            second_area: down + (step >> 1),
+            first_area,
+            last_area: height - beyond,
+            second_area,
             step,
             steepness: steep.steepness(),
         }
@@ -138,11 +142,11 @@ impl Ramp {
         let Extent { first, last, left, right } = extent;
         let across = last.wrapping_sub(first);
         let in_one = FULL - high_word(FULL, (left >> 1) + (right >> 1));
-        let down = steep.down(!left).min(FULL);
-        let step = steep.down_a_pixel();
-        let first_area = select(across == 0, in_one, high_word(!left, down) >> 1);
-        let rest = select(across == 1, FULL - down, steep.down(right).min(FULL));
-        let last_area = select(across == 0, in_one, FULL - (high_word(right, rest) >> 1));
+        let beyond = high_word(right, steep.down(right).min(FULL)) >> 1;
+        let (down, step) = (steep.down(!left).min(FULL), steep.down_a_pixel());
+        let in_two = in_two(in_one, FULL, beyond);
+        let first_area = select(across == 0, in_one, select(across == 1, in_two, high_word(!left, down) >> 1));
+        let last_area = select(across == 0, in_one, FULL - beyond);
         let second_area = select(across == 1, last_area, down.wrapping_add(step >> 1));
         Self { first, last, height: FULL, first_area, last_area, second_area, step, steepness: steep.steepness() }
     }
@@ -153,10 +157,10 @@ impl Ramp {
     pub(crate) fn ends_of_steep(extent: Extent, steep: impl Steep) -> (u32, u32) {
         let Extent { first, last, left, right } = extent;
         let in_one = FULL - high_word(FULL, (left >> 1) + (right >> 1));
-        let down = steep.down(!left).min(FULL);
-        let first_area = high_word(!left, down) >> 1;
-        let last_area = FULL - (high_word(right, FULL - down) >> 1);
-        (select(first == last, in_one, first_area), select(first == last, FULL, last_area))
+        let is_crossed = u32::from(first != last).wrapping_neg();
+        let right = right & is_crossed;
+        let beyond = high_word(right, steep.down(right)) >> 1;
+        (in_two(in_one, FULL & is_crossed, beyond), FULL - beyond)
     }
 
     /// The area in a column.
@@ -175,6 +179,22 @@ impl Ramp {
             }
         }
     }
+}
+
+/// What is right of an edge in the first column of two.
+///
+/// If that column went on to the right, it would be as in one column, half a pixel farther to the left, as `right` counts from the
+/// second. What the edge leaves beyond it is not part of the column: the triangle that is missing in the second.
+///
+/// ```text
+///     |  /  |     |
+///     | /   |     |        in one column:  # - :
+///     |/####|#####|        the triangle :  is counted as missing, and is given back
+///     |#####|#..::|
+/// ```
+#[inline(always)]
+fn in_two(in_one: u32, height: u32, beyond: u32) -> u32 {
+    in_one.wrapping_sub(height >> 1).wrapping_add(beyond)
 }
 
 /// One of two, without a jump.
