@@ -113,13 +113,13 @@ impl Ramp {
     #[inline(always)]
     pub(crate) fn new(extent: Extent, height: u32, steep: impl Steep) -> Self {
         let Extent { first, last, left, right } = extent;
-        let in_one = height - high_word(height, (left >> 1) + (right >> 1));
+        let in_one = || height - high_word(height, (left >> 1) + (right >> 1));
         if first == last {
-            return Self::in_column(first, height, in_one);
+            return Self::in_column(first, height, in_one());
         }
         let beyond = high_word(right, steep.down(right).min(height)) >> 1;
         let (first_area, second_area, step) = if last == first + 1 {
-            (in_two(in_one, height, beyond), 0, 0)
+            (in_two(in_one(), height, beyond), 0, 0)
         } else {
             let (down, step) = (steep.down(!left).min(height), steep.down_a_pixel());
             (high_word(!left, down) >> 1, down + (step >> 1), step)
