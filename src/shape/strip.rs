@@ -21,8 +21,8 @@ use crate::{
     subpixel::pixel_holding,
 };
 
-/// Trapezoids are begun where the next edge starts or ends as many rows farther down.
-const LONG: i32 = 3;
+/// Trapezoids are begun where edges cross so many rows, all together, before one starts or ends.
+const WORTHWHILE: usize = 12;
 
 /// Rows in which edges start or end, one below the other, are left to bands if there are no more edges than that.
 const FEW_EDGES: usize = 4;
@@ -79,7 +79,10 @@ impl<'c, 's, S: CoverageSink> Strip<'c, 's, S> {
                 let bottom = row_end.min(event);
                 let band = Band { y, height: bottom - y };
                 if band.height == ONE && !is_wide {
-                    if event - y >= LONG * ONE && y >= next_trapezoids && alternate(table.active_mut(), fill_rule) {
+                    if is_worthwhile(event - y, table.active_mut().len())
+                        && y >= next_trapezoids
+                        && alternate(table.active_mut(), fill_rule)
+                    {
                         y = self.send_trapezoids(row, rows.end, &mut table, fill_rule)?;
                         next_trapezoids = y + 1;
                         break;
@@ -154,6 +157,13 @@ impl<'c, 's, S: CoverageSink> Strip<'c, 's, S> {
         set_all_sent_to(row << SUBPIXEL_BITS, table.active_mut());
         Ok(row << SUBPIXEL_BITS)
     }
+}
+
+/// See [`WORTHWHILE`].
+#[inline(always)]
+fn is_worthwhile(scan_lines: i32, edges: usize) -> bool {
+    let rows = (scan_lines >> SUBPIXEL_BITS).cast_unsigned() as usize;
+    rows.saturating_mul(edges) >= WORTHWHILE
 }
 
 /// Whether none cross in a whole row of pixels, all are inside the clip, and no two share a column.
