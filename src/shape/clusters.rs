@@ -13,7 +13,7 @@ use heapless::Vec;
 
 use crate::{
     coverage::{NEAR, Slope, column_of},
-    limits::ONE,
+    limits::{ONE, SUBPIXEL_BITS},
     shape::{
         active::{CoverageEdge, Track},
         bands::SLACK,
@@ -68,6 +68,14 @@ pub(super) struct PixelRow {
     pub(super) end: i32,
 }
 
+impl PixelRow {
+    /// The last row of all ends where coordinates do, a scan line early.
+    pub(super) fn new(row: i32, end: i32) -> Self {
+        let start = row << SUBPIXEL_BITS;
+        Self { row, start, end: start.saturating_add(ONE).min(end) }
+    }
+}
+
 impl Cluster {
     fn new(kind: Kind, start: usize, end: usize, event: i32) -> Self {
         Self { kind, start, end, first: i32::MAX, last: i32::MIN, event, starting: 0 }
@@ -82,14 +90,13 @@ impl Cluster {
 
 impl Clusters {
     /// Finds those of a row, if all other edges are apart from them and from each other, inside of the clip, and each has slots
-    /// of its own. `are_apart`: all edges that cross the row are apart from each other, inside of the clip.
+    /// of its own.
     pub(super) fn find(
         &mut self,
         table: &mut Table<'_, '_, Slope>,
         fill_rule: FillRule,
         at: PixelRow,
         event: i32,
-        are_apart: bool,
         columns: &Range<i32>,
     ) -> Option<()> {
         self.list.clear();
@@ -102,8 +109,7 @@ impl Clusters {
             self.find_ended(table, at)?;
             self.find_started(table, fill_rule, at)?;
         }
-        let edges = &*table.active_mut();
-        if are_apart { self.check_neighbours(edges, at.row, columns)? } else { self.find_whole(edges, at, columns)? }
+        self.find_whole(table.active_mut(), at, columns)?;
         self.list.iter().all(|cluster| cluster.last - cluster.first < NEAR).then_some(())
     }
 
@@ -197,23 +203,6 @@ impl Clusters {
         let is_before = |other: &&Cluster| (other.start, other.first) < (place, cluster.first);
         let after = self.list.iter().take_while(is_before).count();
         self.list.insert(after, cluster).ok()
-    }
-
-    /// Whether the edges beside clusters are apart from them.
-    fn check_neighbours(&self, edges: &[CoverageEdge], row: i32, columns: &Range<i32>) -> Option<()> {
-        let mut before = columns.start.saturating_sub(1);
-        let mut place = 0;
-        for cluster in &self.list {
-            if cluster.start > place {
-                before = column_of(edges.get(cluster.start - 1)?.edge.ends(row).1);
-            }
-            let after = edges.get(cluster.end).map(|edge| column_of(edge.edge.ends(row).0));
-            if cluster.first <= before || cluster.last >= after.unwrap_or(columns.end) {
-                return None;
-            }
-            (before, place) = (cluster.last, cluster.end);
-        }
-        (before < columns.end).then_some(())
     }
 
     /// Those that share columns.

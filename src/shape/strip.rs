@@ -24,9 +24,6 @@ use crate::{
 /// Trapezoids are begun where edges cross so many rows, all together, before one starts or ends.
 const WORTHWHILE: usize = 12;
 
-/// Rows in which edges start or end, one below the other, are left to bands if there are no more edges than that.
-const FEW_EDGES: usize = 4;
-
 /// What it takes.
 pub(super) struct Strip<'c, 's, S> {
     columns: Range<i32>,
@@ -109,8 +106,8 @@ impl<'c, 's, S: CoverageSink> Strip<'c, 's, S> {
         Ok(())
     }
 
-    /// Sends trapezoids and what is between them, from the top of a row on, as far as it goes. The scan line at the top of a row
-    /// that all has been sent up to is returned; what starts or ends there is still to be done.
+    /// Sends trapezoids and the clusters between them, from the top of a row on, as far as it goes. The top of the row that all has
+    /// been sent up to is returned; what starts or ends there is still to be done.
     #[inline(never)]
     fn send_trapezoids(
         &mut self,
@@ -121,40 +118,17 @@ impl<'c, 's, S: CoverageSink> Strip<'c, 's, S> {
     ) -> Result<i32, S::Error> {
         let Self { columns, clusters, changes, runs, .. } = self;
         set_all_sent_to(row, table.active_mut());
-        'rows: while !table.is_idle() {
-            let y = row << SUBPIXEL_BITS;
-            let event = table.next_event(y, end);
-            let event_row = pixel_holding(event);
-            let mut are_all_apart = false;
-            let is_next = row == event_row;
-            while row < event_row {
-                row += rows_apart(row..pixel_holding(event - 1) + 1, table.active_mut(), columns);
-                if row >= event_row {
-                    are_all_apart = row > event_row;
-                    row = event_row;
-                    break;
-                }
-                let at = PixelRow { row, start: row << SUBPIXEL_BITS, end: (row + 1) << SUBPIXEL_BITS };
-                if clusters.find(table, fill_rule, at, event, false, columns).is_none() {
-                    break 'rows;
-                }
-                send_clusters(clusters, at, table, columns, changes, runs)?;
-                row += 1;
-            }
-            let start = row << SUBPIXEL_BITS;
-            let at = PixelRow { row, start, end: start.saturating_add(ONE).min(end) };
-            let is_dense = is_next && table.active_mut().len() <= FEW_EDGES;
-            if event == start
-                || is_dense
-                || clusters.find(table, fill_rule, at, event, are_all_apart, columns).is_none()
-            {
+        while !table.is_idle() {
+            let event = table.next_event(row << SUBPIXEL_BITS, end);
+            row += rows_apart(row..pixel_holding(event), table.active_mut(), columns);
+            let at = PixelRow::new(row, end);
+            if event == at.start || clusters.find(table, fill_rule, at, event, columns).is_none() {
                 break;
             }
             send_clusters(clusters, at, table, columns, changes, runs)?;
             row += 1;
         }
         send_all_up_to(row, table.active_mut(), columns, changes, runs)?;
-        set_all_sent_to(row << SUBPIXEL_BITS, table.active_mut());
         Ok(row << SUBPIXEL_BITS)
     }
 }

@@ -13,7 +13,6 @@ use core::ops::Range;
 
 use crate::{
     coverage::{Changes, CoverageSink, Extent, Runs, Slope, column_of, part_of, send_between, send_cut},
-    limits::SUBPIXEL_BITS,
     shape::{active::CoverageEdge, bands::{SLACK, Winding}, outline::FillRule},
 };
 
@@ -140,51 +139,64 @@ pub(super) fn alternate(edges: &[CoverageEdge], fill_rule: FillRule) -> bool {
 }
 
 /// In how many of the rows, from the first on, trapezoids can be left alone: their two edges do not cross, they are a pixel or more
-/// from each other, and none leaves the clip. Edges that end in the last row are not looked at there.
+/// from each other, and none leaves the clip.
 #[inline(never)]
 pub(super) fn rows_apart(rows: Range<i32>, edges: &[CoverageEdge], columns: &Range<i32>) -> i32 {
-    let mut apart = rows.end - rows.start;
-    let border = |column: i32| i64::from(column.clamp(-FAR, FAR)) << 40;
-    // Of the edge before: its right end in the first row, how far on that is in the next, and how many rows more it crosses.
-    let mut before = Gap { from: border(columns.start) - PIXEL, step: 0, rows: apart - 1 };
-    for pair in edges.as_chunks().0 {
-        let [left, right] = pair.each_ref().map(|edge| Gap {
-            from: edge.edge.at_row(rows.start),
-            step: edge.edge.row_step(),
-            rows: rows.end - rows.start - 1 - i32::from(edge.until < rows.end << SUBPIXEL_BITS),
-        });
-        let first = Gap { from: left.from + left.step.min(0), ..left };
-        apart = apart.min(before.rows_to(first, PIXEL, 0)).min(left.rows_to(right, -SLACK, 1));
-        before = Gap { from: right.from + right.step.max(0), ..right };
+    let count = rows.end - rows.start;
+    let mut apart = count;
+    if count > 0 {
+        let border = |column: i32| Line { from: i64::from(column.clamp(-FAR, FAR)) << 40, step: 0 };
+        let mut before = border(columns.start);
+        let mut width = 0;
+        for pair in edges.as_chunks().0 {
+            let [left, right] = pair.each_ref().map(|edge| Line::new(&edge.edge, rows.start));
+            let (left_below, right_below) = (left.moved_by(left.step), right.moved_by(right.step));
+            apart = apart
+                .min(before.rows_to(left.moved_by(left.step.min(0)), width, count - 1))
+                .min(left_below.rows_to(right_below, -SLACK, count - 1));
+            before = right.moved_by(right.step.max(0));
+            width = PIXEL;
+        }
+        apart = apart.min(before.rows_to(border(columns.end), 1, count - 1));
     }
-    let end = Gap { from: border(columns.end), step: 0, rows: before.rows };
-    apart.min(before.rows_to(end, 1, 0))
+    apart
 }
 
-/// What is to the right of an edge.
+/// Where something is at the top of a row, or at one of its ends in the row, and how far on in the next.
 #[derive(Clone, Copy)]
-struct Gap {
+struct Line {
     from: i64,
     step: i64,
-    rows: i32,
 }
 
-impl Gap {
-    /// How many rows there are up to where it is less than so wide up to another edge; many if it never is. `more` rows beyond those
-    /// that both edges cross are looked at.
+impl Line {
     #[inline(always)]
-    fn rows_to(self, other: Self, width: i64, more: i32) -> i32 {
-        let rows = self.rows.min(other.rows);
+    fn new(edge: &Slope, row: i32) -> Self {
+        Self { from: edge.at_row(row), step: edge.row_step() }
+    }
+
+    #[inline(always)]
+    fn moved_by(self, distance: i64) -> Self {
+        Self { from: self.from + distance, ..self }
+    }
+
+    /// After how many rows it is less than `width` from another; more than `rows` if it is not within those.
+    #[inline(always)]
+    fn rows_to(self, other: Self, width: i64, rows: i32) -> i32 {
         let gap = other.from - self.from - width;
         let opens = other.step - self.step;
-        if rows < 0 || (gap >= 0 && gap + opens * i64::from(rows + more) >= 0) { i32::MAX } else { rows_of(gap, opens, more) }
+        if gap < 0 {
+            0
+        } else if gap + opens * i64::from(rows) >= 0 {
+            i32::MAX
+        } else {
+            rows_of(gap, opens)
+        }
     }
 }
 
+/// How many rows a gap that closes is at least 0.
 #[cold]
-fn rows_of(gap: i64, opens: i64, more: i32) -> i32 {
-    if gap < 0 {
-        return 0;
-    }
-    i32::try_from(gap.unsigned_abs() / opens.unsigned_abs().max(1)).map_or(i32::MAX, |rows| rows.saturating_add(1 - more))
+fn rows_of(gap: i64, opens: i64) -> i32 {
+    i32::try_from(gap.unsigned_abs() / opens.unsigned_abs().max(1)).map_or(i32::MAX, |rows| rows.saturating_add(1))
 }
