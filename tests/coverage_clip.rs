@@ -7,8 +7,8 @@ use std::ops::Range;
 
 use embedded_graphics::{Drawable as _, mock_display::MockDisplay, pixelcolor::Gray8, prelude::GrayColor as _};
 use oracle::{
-    Belongs, CoverageGrid, Outline, Rng, cases, check_same_coverage, coverage,
-    coverage_within, for_each_case, random, rect,
+    Belongs, CoverageGrid, Outline, Rng, cases, check_same_coverage, coverage, coverage_within, for_each_case, random,
+    rect,
     rule::{At, edges},
 };
 use spanfill::{
@@ -144,6 +144,16 @@ fn triangles_lines_and_circles_in_clips_that_are_far_larger() {
     });
 }
 
+#[test]
+fn spikes_in_pieces() {
+    let count = cases(1_500);
+    let mixed = for_each_case(413, count, |rng| {
+        let (outline, window) = random::spikes(rng);
+        Ok(check_split(rng, &outline, &window))
+    });
+    assert!(mixed * 2 >= count, "only {mixed} of {count} windows showed an outline");
+}
+
 /// There are strips only where the polygon is, and rows.
 #[test]
 fn polygons_in_clips_that_are_far_larger() {
@@ -178,11 +188,7 @@ fn any_number_of_cells_draws_the_same() {
             for count in [1, 2, 7, 64, width, width + 1] {
                 let polygon = polygon.coverage_in(&mut edges, &mut cells[..count]).unwrap();
                 let code = || format!("in {count} cells: {}", outline.code());
-                if count < width {
-                    check_same_coverage(&coverage(&polygon, &window), &whole, code);
-                } else {
-                    check_same_coverage(&coverage(&polygon, &window), &whole, code);
-                }
+                check_same_coverage(&coverage(&polygon, &window), &whole, code);
             }
             let code = || format!("on the stack: {}", outline.code());
             if let Ok(polygon) = polygon.coverage_with::<12, 5>() {

@@ -125,6 +125,12 @@ fn random_shapes_on_a_whole_screen() {
     });
 }
 
+/// Edges of many rows, and few that start or end in each.
+#[test]
+fn random_spikes() {
+    compare("spikes", 228, 3_000, 2, EXACT, random::spikes);
+}
+
 /// Runs are sent when they are full: wherever that is, nothing is lost, left or right.
 #[test]
 fn edges_across_any_number_of_columns() {

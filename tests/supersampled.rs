@@ -5,8 +5,8 @@ mod oracle;
 use std::ops::Range;
 
 use oracle::{
-    Belongs, CoverageGrid, Outline, Rng, cases, check_same_coverage, coverage, coverage_within,
-    for_each_case, random, rect,
+    Belongs, CoverageGrid, Outline, Rng, cases, check_same_coverage, coverage, coverage_within, for_each_case, random,
+    rect,
     rule::{At, edges, product, side},
 };
 use spanfill::{

@@ -2,12 +2,7 @@
 
 use core::mem::take;
 
-use crate::{
-    coverage::{
-        CoverageSink,
-    },
-    span::Span,
-};
+use crate::{coverage::CoverageSink, span::Span};
 
 /// Runs are at most so long; a display behind a bus pays for an address window once a run.
 pub(crate) const RUN: usize = 32;

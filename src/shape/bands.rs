@@ -8,11 +8,9 @@
 //! Where edges cross in a band, see `crossing`.
 
 use crate::{
-    coverage::{
-        Cells, Extent, Ramp, Steepness, height_of,
-    },
+    coverage::{Cells, Extent, Ramp, Steepness, height_of},
     limits::ONE,
-    shape::{active::CoverageEdge, outline::FillRule},
+    shape::{active::CoverageEdge, outline::FillRule, table::sort},
 };
 
 impl CoverageEdge {
@@ -81,12 +79,16 @@ impl Band {
         self.bottom() & (ONE - 1) == 0
     }
 
-    /// Adds the band, and takes the edges to its lower end; they are in order at its upper end.
+    /// Adds the band, and takes the edges to its lower end; they are in order at its upper end, but for some that meet there.
     ///
     /// `WIDE`: some are not in the narrow zone.
     pub(super) fn add<const WIDE: bool>(self, edges: &mut [CoverageEdge], fill_rule: FillRule, cells: &mut Cells<'_>) {
         if !keep_their_order::<WIDE>(edges, self.height) {
-            return self.add_crossing::<WIDE>(edges, fill_rule, cells);
+            // Those that cross where the band begins are in the order of the band above.
+            sort(edges);
+            if !keep_their_order::<WIDE>(edges, self.height) {
+                return self.add_crossing::<WIDE>(edges, fill_rule, cells);
+            }
         }
         let mut winding = Winding::new(fill_rule);
         for edge in edges {

@@ -4,7 +4,8 @@ use core::ops::Range;
 
 use crate::{
     coverage::{
-        Changes, CoverageSink, Extent, Few, Runs, Slope, Steepness, column_of, height_of, send_cluster, send_left, send_right,
+        Changes, CoverageSink, Extent, Few, Runs, Slope, Steepness, column_of, height_of, send_cluster, send_left,
+        send_right,
     },
     limits::ONE,
     shape::{

@@ -115,9 +115,7 @@ impl Clusters {
 
     fn find_ended(&mut self, table: &mut Table<'_, '_, Slope>, at: PixelRow) -> Option<()> {
         let mut place = 0;
-        while let Some(before) =
-            table.active_mut().iter().skip(place).position(|edge| edge.until <= at.end)
-        {
+        while let Some(before) = table.active_mut().iter().skip(place).position(|edge| edge.until <= at.end) {
             place = self.add_ended(table, place + before, at)?;
         }
         Some(())
@@ -148,6 +146,7 @@ impl Clusters {
             let other_top = other.edge.at_row(at.row);
             let other_to = other_top + other.edge.step() * height;
             let ends = other.until == event
+                && other.winding() != edge.winding()
                 && CoverageEdge::below(contours, other.vertex, other.contour, event, rows).is_none();
             if !ends || other_to + SLACK < to {
                 return None;
@@ -205,45 +204,56 @@ impl Clusters {
         self.list.insert(after, cluster).ok()
     }
 
-    /// Those that share columns.
+    /// Those that share columns, between the others.
     fn find_whole(&mut self, edges: &[CoverageEdge], at: PixelRow, columns: &Range<i32>) -> Option<()> {
         let mut last = columns.start.saturating_sub(1);
         let mut next = 0;
-        let mut place = 0;
-        // Where the edge before is, if it crosses the whole row.
-        let mut before = None;
+        let mut start = 0;
         loop {
-            if let Some(cluster) = self.list.get(next).filter(|cluster| cluster.start == place) {
-                if cluster.first <= last {
-                    return None;
+            let cluster = self.list.get(next).copied();
+            let end = cluster.map_or(edges.len(), |cluster| cluster.start);
+            // Where the edge before is, if it crosses the whole row.
+            let mut before = None;
+            for (edge, place) in edges.get(start..end)?.iter().zip(start..) {
+                let from = edge.edge.at_row(at.row);
+                let to = from + edge.edge.row_step();
+                if column_of(from.min(to)) <= last {
+                    next = self.add_whole(next, place, before?, (from, to), at.end)?;
                 }
-                (last, place) = (cluster.last, cluster.end);
-                next += 1;
-                before = None;
-                continue;
+                last = last.max(column_of(from.max(to)));
+                before = Some((from, to));
             }
-            let Some(edge) = edges.get(place) else { break };
-            let from = edge.edge.at_row(at.row);
-            let to = from + edge.edge.row_step();
-            if column_of(from.min(to)) <= last {
-                let (before_from, before_to) = before?;
-                if to + SLACK < before_to {
-                    return None;
-                }
-                if next == 0 || self.list.get(next - 1)?.end != place {
-                    let mut cluster = Cluster::new(Kind::Whole, place - 1, place, at.end);
-                    cluster.include(before_from, before_to);
-                    self.list.insert(next, cluster).ok()?;
-                    next += 1;
-                }
-                let cluster = self.list.get_mut(next - 1)?;
-                cluster.end = place + 1;
-                cluster.include(from, to);
+            let Some(cluster) = cluster else { break };
+            if cluster.first <= last {
+                return None;
             }
-            last = last.max(column_of(from.max(to)));
-            before = Some((from, to));
-            place += 1;
+            (last, start) = (cluster.last, cluster.end);
+            next += 1;
         }
-        (next == self.list.len() && last < columns.end).then_some(())
+        (last < columns.end).then_some(())
+    }
+
+    /// The edge in a place shares columns with the one before it. Where the next cluster is in the list is returned.
+    fn add_whole(
+        &mut self,
+        mut next: usize,
+        place: usize,
+        before: (i64, i64),
+        edge: (i64, i64),
+        event: i32,
+    ) -> Option<usize> {
+        if edge.1 + SLACK < before.1 {
+            return None;
+        }
+        if next == 0 || self.list.get(next - 1)?.end != place {
+            let mut cluster = Cluster::new(Kind::Whole, place - 1, place, event);
+            cluster.include(before.0, before.1);
+            self.list.insert(next, cluster).ok()?;
+            next += 1;
+        }
+        let cluster = self.list.get_mut(next - 1)?;
+        cluster.end = place + 1;
+        cluster.include(edge.0, edge.1);
+        Some(next)
     }
 }

@@ -87,8 +87,7 @@ impl<'a, 's, T: Track> Table<'a, 's, T> {
 
     #[inline(never)]
     pub(crate) fn sort_active(&mut self) {
-        let active = self.slots.get_mut(..self.active).unwrap_or_default();
-        (1..active.len()).for_each(|place| sink_left(active, place));
+        sort(self.slots.get_mut(..self.active).unwrap_or_default());
     }
 
     /// On `row`, replaces the edges that end by those that follow them along their contour.
@@ -270,6 +269,12 @@ impl Table<'_, '_, Edge> {
         self.is_sorted = is_sorted;
         Ok(())
     }
+}
+
+/// Sorts edges that are nearly in order from left to right.
+#[inline(never)]
+pub(super) fn sort<T: Track>(edges: &mut [ActiveEdge<T>]) {
+    (1..edges.len()).for_each(|place| sink_left(edges, place));
 }
 
 /// Moves the edge at `place` to the left until the slots up to there are sorted by column, as those before it were.

@@ -13,7 +13,11 @@ use core::ops::Range;
 
 use crate::{
     coverage::{Changes, CoverageSink, Extent, Runs, Slope, column_of, part_of, send_between, send_cut},
-    shape::{active::CoverageEdge, bands::{SLACK, Winding}, outline::FillRule},
+    shape::{
+        active::CoverageEdge,
+        bands::{SLACK, Winding},
+        outline::FillRule,
+    },
 };
 
 /// A pixel, in positions.

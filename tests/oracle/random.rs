@@ -373,3 +373,33 @@ pub(crate) fn outline(rng: &mut Rng) -> (Outline, PixelRect) {
     let window = window_on(rng, &contours[shown]);
     (Outline::new(contours, fill_rule(rng)), window)
 }
+
+/// Spikes around a point, tens of pixels long, of a contour or several within each other, which go either way; on corners of
+/// pixels, half pixels or anywhere, and shaken or not, so that some cross. All of it is in the window.
+pub(crate) fn spikes(rng: &mut Rng) -> (Outline, PixelRect) {
+    let radius = rng.int(3..=50);
+    let step = rng.pick(&[1, 1, 128, 256]);
+    let shaken = if rng.one_in(3) { rng.int(1..=256 * radius / 4) } else { 0 };
+    let contour = |rng: &mut Rng, outer: i64| {
+        let count = rng.int(3..=40);
+        let shortest = rng.int(1..=9);
+        let mut vertices: Vec<Vertex> = (0..count)
+            .map(|index| {
+                let angle = (index as f64 + 0.3) / count as f64 * std::f64::consts::TAU;
+                let length = 256 * outer * rng.int(shortest..=10) / 10;
+                let coordinate = |rng: &mut Rng, part: f64| {
+                    let exact = (length as f64 * part) as i64 + rng.int(-shaken..=shaken);
+                    saturate(exact.div_euclid(step) * step)
+                };
+                Vertex::from_bits(coordinate(rng, angle.cos()), coordinate(rng, angle.sin()))
+            })
+            .collect();
+        if rng.one_in(2) {
+            vertices.reverse();
+        }
+        vertices
+    };
+    let contours = (0..1 + rng.index(3)).map(|within| contour(rng, (radius >> within).max(1))).collect();
+    let reach = (radius + radius / 4 + 2) as i32;
+    (Outline::new(contours, fill_rule(rng)), PixelRect { rows: -reach..reach, columns: -reach..reach })
+}
