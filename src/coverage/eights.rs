@@ -88,6 +88,16 @@ fn two<const IS_RIGHT: bool>(extent: Extent, steepness: Steepness) -> u64 {
     if IS_RIGHT { word } else { word | (u64::MAX << 16) }
 }
 
+/// The coverage of an edge that crosses at most three columns.
+#[inline(always)]
+fn narrow<const IS_RIGHT: bool>(extent: Extent, steepness: Steepness) -> Option<u64> {
+    if steepness.is_steep() {
+        Some(two::<IS_RIGHT>(extent, steepness))
+    } else {
+        (extent.last - extent.first < FEW).then(|| Ramp::new_few(extent, steepness).few::<IS_RIGHT>())
+    }
+}
+
 /// Sends what an edge leaves of its pixels; after it is the inside, as far as `end`. Where that goes on is returned.
 #[inline(never)]
 pub(super) fn send_left<S: CoverageSink>(
@@ -102,8 +112,7 @@ pub(super) fn send_left<S: CoverageSink>(
         let excess = (column + EIGHT - end).max(0).cast_unsigned();
         (word & (u64::MAX >> (8 * excess))).to_le_bytes()
     };
-    if last - first < FEW {
-        let word = Ramp::new_few(extent, steepness).few::<false>();
+    if let Some(word) = narrow::<false>(extent, steepness) {
         sink.eights(row, first, &[masked(first, word)])?;
         return Ok(end.min(first + EIGHT));
     }
@@ -138,8 +147,7 @@ pub(super) fn send_right<S: CoverageSink>(
     if inside < column {
         sink.span(Span { row, columns: inside..column }, 255)?;
     }
-    if across < FEW {
-        let word = Ramp::new_few(extent, steepness).few::<true>();
+    if let Some(word) = narrow::<true>(extent, steepness) {
         let before = 8 * (first - column).cast_unsigned();
         return sink.eights(row, column, &[((word << before) | ((1 << before) - 1)).to_le_bytes()]);
     }

@@ -36,8 +36,7 @@ use crate::span::Span;
 /// Receives an anti-aliased shape: how much of each pixel it covers, in 255ths.
 ///
 /// Everything lies inside the clip that the shape was given, each pixel comes at most once, and none comes that is not
-/// covered. Rows go down and columns go right, except that a shape may be sent in vertical strips, one after the other
-/// (see [`Polygon`](crate::Polygon)).
+/// covered. They come in no particular order.
 ///
 /// ```text
 ///              run                span               run

@@ -82,8 +82,10 @@ pub struct ActiveEdge<T = Edge> {
     pub(super) contour: i32,
 }
 
-/// Scratch for one active edge of an anti-aliased polygon; see [`Polygon`](crate::Polygon). 32 bytes.
+/// Scratch for one active edge of an anti-aliased polygon; see [`Polygon`](crate::Polygon). 36 bytes.
 pub type CoverageEdge = ActiveEdge<Slope>;
+
+const _: () = assert!(size_of::<ActiveEdge>() == 32 && size_of::<CoverageEdge>() == 36);
 
 impl<T: Track> ActiveEdge<T> {
     /// Unused scratch.

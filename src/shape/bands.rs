@@ -3,7 +3,8 @@
 //!
 //! Edges are straight in a band. If they leave it in the order they entered it in, none cross, and the winding number between
 //! each and the next is the same all the way down: only edges with the inside on one side of them bound it, and the
-//! area to their right is added to the cells or taken off. That is exact where contours overlap, too.
+//! area to their right is added to the cells or taken off. That is exact where contours overlap, too. What an edge leaves is put
+//! off, from band to band, until it ends, leaves the row, or has the inside on another side: then it is added as one ramp.
 //!
 //! Where edges cross in a band, see `crossing`.
 

@@ -146,7 +146,6 @@ impl Clusters {
             let other_top = other.edge.at_row(at.row);
             let other_to = other_top + other.edge.step() * height;
             let ends = other.until == event
-                && other.winding() != edge.winding()
                 && CoverageEdge::below(contours, other.vertex, other.contour, event, rows).is_none();
             if !ends || other_to + SLACK < to {
                 return None;

@@ -375,7 +375,8 @@ pub(crate) fn outline(rng: &mut Rng) -> (Outline, PixelRect) {
 }
 
 /// Spikes around a point, tens of pixels long, of a contour or several within each other, which go either way; on corners of
-/// pixels, half pixels or anywhere, and shaken or not, so that some cross. All of it is in the window.
+/// pixels, half pixels or anywhere, and shaken or not, so that some cross. Some tips are flat, with or without a loop. All of it is
+/// in the window.
 pub(crate) fn spikes(rng: &mut Rng) -> (Outline, PixelRect) {
     let radius = rng.int(3..=50);
     let step = rng.pick(&[1, 1, 128, 256]);
@@ -396,6 +397,15 @@ pub(crate) fn spikes(rng: &mut Rng) -> (Outline, PixelRect) {
             .collect();
         if rng.one_in(2) {
             vertices.reverse();
+        }
+        if rng.one_in(2) {
+            vertices = vertices
+                .into_iter()
+                .flat_map(|vertex| {
+                    let half = if rng.one_in(3) { rng.int(-200..=200) as i32 } else { 0 };
+                    [-half, half].map(|by| Vertex::from_bits(vertex.x.to_bits() + by, vertex.y.to_bits()))
+                })
+                .collect();
         }
         vertices
     };
