@@ -211,16 +211,21 @@ impl Clusters {
         loop {
             let cluster = self.list.get(next).copied();
             let end = cluster.map_or(edges.len(), |cluster| cluster.start);
-            // Where the edge before is, if it crosses the whole row.
-            let mut before = None;
-            for (edge, place) in edges.get(start..end)?.iter().zip(start..) {
+            let mut before = (0, 0);
+            for (index, edge) in edges.get(start..end)?.iter().enumerate() {
                 let from = edge.edge.at_row(at.row);
                 let to = from + edge.edge.row_step();
-                if column_of(from.min(to)) <= last {
-                    next = self.add_whole(next, place, before?, (from, to), at.end)?;
+                let (first, before_last) = (column_of(from.min(to)), last);
+                last = column_of(from.max(to));
+                if first <= before_last {
+                    // The clip, and clusters of edges that do not cross the whole row, are shared with none.
+                    if index == 0 {
+                        return None;
+                    }
+                    next = self.add_whole(next, start + index, before, (from, to), at.end)?;
+                    last = last.max(before_last);
                 }
-                last = last.max(column_of(from.max(to)));
-                before = Some((from, to));
+                before = (from, to);
             }
             let Some(cluster) = cluster else { break };
             if cluster.first <= last {

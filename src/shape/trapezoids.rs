@@ -130,16 +130,16 @@ pub(super) fn set_all_sent_to(row: i32, edges: &mut [CoverageEdge]) {
     }
 }
 
-/// Whether there is the inside to the right of every other edge, and only there, and all are in the narrow zone.
+/// Whether there is the inside to the right of every other edge, and only there. There is an even number of edges in each row.
 #[inline(never)]
 pub(super) fn alternate(edges: &[CoverageEdge], fill_rule: FillRule) -> bool {
     let mut winding = Winding::new(fill_rule);
     let mut sign = 1;
     edges.iter().all(|edge| {
-        let is_next = winding.cross(edge.winding()) == sign && !edge.edge.is_wide();
+        let is_next = winding.cross(edge.winding()) == sign;
         sign = -sign;
         is_next
-    }) && sign == 1
+    })
 }
 
 /// In how many of the rows, from the first on, trapezoids can be left alone: their two edges do not cross, they are a pixel or more
