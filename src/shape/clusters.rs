@@ -7,7 +7,7 @@
 //!     |     \ \ |     |       |   |/   \  |    |   /   |
 //! ```
 
-use core::ops::Range;
+use core::{mem::swap, ops::Range};
 
 use heapless::Vec;
 
@@ -176,7 +176,7 @@ impl Clusters {
         let event = table.waiting_edges(index, |edge| self.starting.push(edge).is_ok())?;
         let [left, right] = self.starting.get_mut(starting..)? else { return None };
         if left.edge.is_right_of(&right.edge) {
-            core::mem::swap(left, right);
+            swap(left, right);
         }
         let (left_below, right_below) =
             (left.below_by::<false>(at.end - event), right.below_by::<false>(at.end - event));
@@ -200,7 +200,20 @@ impl Clusters {
         }
         let is_before = |other: &&Cluster| (other.start, other.first) < (place, cluster.first);
         let after = self.list.iter().take_while(is_before).count();
-        self.list.insert(after, cluster).ok()
+        self.insert(after, cluster)
+    }
+
+    /// As `Vec::insert`, which panics where the index is out of range.
+    fn insert(&mut self, index: usize, cluster: Cluster) -> Option<()> {
+        let mut place = self.list.len();
+        self.list.push(cluster).ok()?;
+        while place > index
+            && let Some([.., before, last]) = self.list.get_mut(..=place)
+        {
+            swap(before, last);
+            place -= 1;
+        }
+        Some(())
     }
 
     /// Those that share columns, between the others.
@@ -252,7 +265,7 @@ impl Clusters {
         if next == 0 || self.list.get(next - 1)?.end != place {
             let mut cluster = Cluster::new(Kind::Whole, place - 1, place, event);
             cluster.include(before.0, before.1);
-            self.list.insert(next, cluster).ok()?;
+            self.insert(next, cluster)?;
             next += 1;
         }
         let cluster = self.list.get_mut(next - 1)?;
