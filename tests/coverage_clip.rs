@@ -154,6 +154,19 @@ fn spikes_in_pieces() {
     assert!(mixed * 2 >= count, "only {mixed} of {count} windows showed an outline");
 }
 
+/// Many edges cross where one row of pixels ends and the next begins, and areas are ties.
+#[test]
+fn edges_on_half_pixels_in_pieces() {
+    let count = cases(3_000);
+    let mixed = for_each_case(414, count, |rng| {
+        let vertex = |rng: &mut Rng| Vertex::from_bits(128 * rng.int(-16..=16) as i32, 128 * rng.int(-16..=16) as i32);
+        let contours = (0..1 + rng.index(3)).map(|_| (0..4 + rng.index(12)).map(|_| vertex(rng)).collect()).collect();
+        let outline = Outline::new(contours, random::fill_rule(rng));
+        Ok(check_split(rng, &outline, &rect(-9..9, -9..9)))
+    });
+    assert!(mixed * 2 >= count, "only {mixed} of {count} windows showed an outline");
+}
+
 /// There are strips only where the polygon is, and rows.
 #[test]
 fn polygons_in_clips_that_are_far_larger() {

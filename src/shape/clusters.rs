@@ -126,9 +126,6 @@ impl Clusters {
         let (contours, rows) = (table.contours(), table.rows());
         let [edge, others @ ..] = table.active_mut().get(place..)? else { return None };
         let event = edge.until;
-        if event == at.end {
-            return None;
-        }
         let height = i64::from(event - at.start);
         let top = edge.edge.at_row(at.row);
         let to = top + edge.edge.step() * height;

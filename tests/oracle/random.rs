@@ -375,8 +375,8 @@ pub(crate) fn outline(rng: &mut Rng) -> (Outline, PixelRect) {
 }
 
 /// Spikes around a point, tens of pixels long, of a contour or several within each other, which go either way; on corners of
-/// pixels, half pixels or anywhere, and shaken or not, so that some cross. Some tips are flat, with or without a loop. All of it is
-/// in the window.
+/// pixels, half pixels or anywhere, and shaken or not, so that some cross. Some tips are flat, with or without a loop; now
+/// and then one is far away. All others are in the window.
 pub(crate) fn spikes(rng: &mut Rng) -> (Outline, PixelRect) {
     let radius = rng.int(3..=50);
     let step = rng.pick(&[1, 1, 128, 256]);
@@ -406,6 +406,10 @@ pub(crate) fn spikes(rng: &mut Rng) -> (Outline, PixelRect) {
                     [-half, half].map(|by| Vertex::from_bits(vertex.x.to_bits() + by, vertex.y.to_bits()))
                 })
                 .collect();
+        }
+        if rng.one_in(8) {
+            let vertex = rng.index(vertices.len());
+            vertices[vertex] = Vertex::from_bits(saturate(rng.magnitude(31)), saturate(rng.magnitude(31)));
         }
         vertices
     };
