@@ -71,13 +71,11 @@ pub(super) struct Band {
 const SIGN_MARK: i32 = 2;
 
 impl Band {
-    fn bottom(self) -> i32 {
-        self.y + self.height
-    }
-
-    /// Whether it is the last of its row.
-    fn is_last(self) -> bool {
-        self.bottom() & (ONE - 1) == 0
+    /// The scan line in its row that it begins with, and the one after its last.
+    #[inline(always)]
+    pub(super) fn offsets(self) -> (i32, i32) {
+        let offset = self.y & (ONE - 1);
+        (offset, offset + self.height)
     }
 
     /// Adds the band, and takes the edges to its lower end; they are in order at its upper end, but for some that meet there.
@@ -93,40 +91,58 @@ impl Band {
         }
         let mut winding = Winding::new(fill_rule);
         for edge in edges {
-            let sign = winding.cross(edge.winding());
-            let (from, to) = (edge.edge.position(), edge.below_by::<WIDE>(self.height));
-            edge.edge.move_to(to);
-            let mark = edge.edge.steepness.mark();
-            let is_over = self.is_last() || edge.until == self.bottom();
-            if mark == 0 && (is_over || WIDE) {
-                if sign != 0 {
-                    cells.add_ramp(&edge.ramp::<WIDE>(from, to, height_of(self.height)), sign);
-                }
-                continue;
+            self.add_edge::<WIDE>(edge, winding.cross(edge.winding()), cells);
+        }
+    }
+
+    /// Adds or puts off what an edge that crosses none leaves, and takes it to the band's lower end.
+    #[inline(always)]
+    pub(super) fn add_edge<const WIDE: bool>(self, edge: &mut CoverageEdge, sign: i32, cells: &mut Cells<'_>) {
+        let (offset, end_offset) = self.offsets();
+        let (from, to) = (edge.edge.position(), edge.below_by::<WIDE>(self.height));
+        edge.edge.move_to(to);
+        let mark = edge.edge.steepness.mark();
+        let is_over = WIDE || end_offset == ONE || edge.until == self.y + self.height;
+        if mark == 0 && is_over {
+            if sign != 0 {
+                cells.add_ramp(&edge.ramp::<WIDE>(from, to, height_of(self.height)), sign);
             }
-            if mark != sign + SIGN_MARK {
-                edge.add_put_off(from, self.y, cells);
-                edge.edge.sent_to = self.y;
-                edge.edge.steepness = edge.edge.steepness.marked(sign + SIGN_MARK);
-            }
-            if is_over || WIDE {
-                edge.add_put_off(to, self.bottom(), cells);
-            }
+            return;
+        }
+        if mark != sign + SIGN_MARK {
+            edge.add_put_off(from, offset, cells);
+            edge.edge.sent_to = offset;
+            edge.edge.steepness = edge.edge.steepness.marked(sign + SIGN_MARK);
+        }
+        if is_over {
+            edge.add_put_off(to, end_offset, cells);
         }
     }
 }
 
+/// In `sent_to`, beside the scan line in the row.
+const LEAST: i32 = ONE;
+
 impl CoverageEdge {
-    /// Adds what was put off of it, down to scan line `y`, where it is at `to`.
+    /// Adds what was put off of it, down to a scan line of the row, where it is at `to`.
     #[inline(always)]
-    pub(super) fn add_put_off(&mut self, to: i64, y: i32, cells: &mut Cells<'_>) {
+    pub(super) fn add_put_off(&mut self, to: i64, offset: i32, cells: &mut Cells<'_>) {
         let sign = self.edge.steepness.mark() - SIGN_MARK;
         self.edge.steepness = self.edge.steepness.marked(0);
         if sign == 1 || sign == -1 {
-            let height = y - self.edge.sent_to;
+            let height = offset - (self.edge.sent_to & (LEAST - 1));
             let from = to - self.edge.step() * i64::from(height);
             cells.add_ramp(&self.ramp::<false>(from, to, height_of(height)), sign);
         }
+    }
+
+    /// Whether none to its right leaves the band farther to the left.
+    pub(super) fn is_least(&self) -> bool {
+        self.edge.sent_to & LEAST != 0
+    }
+
+    pub(super) fn set_least(&mut self, is_least: bool) {
+        self.edge.sent_to = (self.edge.sent_to & (LEAST - 1)) | if is_least { LEAST } else { 0 };
     }
 }
 

@@ -21,9 +21,6 @@ use crate::{
     },
 };
 
-/// Where edges cross: none to the right of this one leaves the band farther to the left.
-const LEAST_MARK: i32 = 1;
-
 impl Band {
     /// Adds a band in which some edges cross, and takes all of them to its lower end; they are in order at its upper end.
     #[inline(never)]
@@ -35,34 +32,28 @@ impl Band {
     ) {
         let mut least = i64::MAX;
         for edge in edges.iter_mut().rev() {
-            edge.add_put_off(edge.edge.position(), self.y, cells);
             let below = edge.below_by::<WIDE>(self.height);
-            if below <= least {
-                least = below;
-                edge.edge.steepness = edge.edge.steepness.marked(LEAST_MARK);
-            }
+            edge.set_least(below <= least);
+            least = least.min(below);
         }
         let mut winding = Winding::new(fill_rule);
-        let mut start = 0;
-        while start < edges.len() {
-            let end = block_end::<WIDE>(edges.get(start..).unwrap_or_default(), self.height) + start;
-            match edges.get_mut(start..end) {
-                Some([edge]) => {
-                    let sign = winding.cross(edge.winding());
-                    let (from, to) = (edge.edge.position(), edge.below_by::<WIDE>(self.height));
-                    if sign != 0 {
-                        cells.add_ramp(&edge.ramp::<WIDE>(from, to, height_of(self.height)), sign);
-                    }
-                }
-                Some(block) => add_block::<WIDE>(block, self.height, &mut winding, cells),
-                None => return,
+        let mut rest = edges;
+        while !rest.is_empty() {
+            let end = block_end::<WIDE>(rest, self.height);
+            let Some((block, others)) = rest.split_at_mut_checked(end) else { return };
+            rest = others;
+            if let [edge] = block {
+                self.add_edge::<WIDE>(edge, winding.cross(edge.winding()), cells);
+                continue;
             }
-            start = end;
-        }
-        for edge in edges {
-            let below = edge.below_by::<WIDE>(self.height);
-            edge.edge.move_to(below);
-            edge.edge.steepness = edge.edge.steepness.marked(0);
+            for edge in &mut *block {
+                edge.add_put_off(edge.edge.position(), self.offsets().0, cells);
+            }
+            add_block::<WIDE>(block, self.height, &mut winding, cells);
+            for edge in block {
+                let below = edge.below_by::<WIDE>(self.height);
+                edge.edge.move_to(below);
+            }
         }
     }
 }
@@ -79,7 +70,7 @@ fn block_end<const WIDE: bool>(edges: &[CoverageEdge], height: i32) -> usize {
     for (index, edge) in others.iter().enumerate() {
         let below = edge.below_by::<WIDE>(height);
         rightmost = rightmost.max(below);
-        if edge.edge.steepness.mark() == LEAST_MARK {
+        if edge.is_least() {
             if of_block <= below.saturating_add(SLACK) {
                 break;
             }
