@@ -84,7 +84,7 @@ use crate::{
 /// let mut display = MockDisplay::new();
 /// let arrow = ARROW.coverage_with::<{ ARROW.coverage_edges() }, 64>()?;
 /// arrow.antialiased(Gray4::WHITE, Over(Gray4::BLACK)).draw(&mut display)?;
-/// display.assert_pattern(&["561  ", " 7E93", " 7E93", "561  "]);
+/// display.assert_pattern(&["561  ", " 8E93", " 8E93", "561  "]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
