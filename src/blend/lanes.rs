@@ -9,10 +9,10 @@ use embedded_graphics_core::pixelcolor::{IntoStorage, PixelColor, raw::RawData};
 
 /// One of eight colours of three channels, of at most six bits each, in a register of eight lanes of 16 bits.
 ///
-/// A channel is `b + q`, with `q` the nearest to `x = (t - b) alpha / 255`: adding the whole number `b` changes no rounding. To keep it
-/// positive, `q` is moved by 64: of `x 255 + 64 255 + 128 = 255 k + s`, where `k = q + 64` is at most 127 and `1 <= s <= 255`, the upper
-/// half of 257 times that is `k`, as it is divided by `255 + 1 / 257`, and `k / 257 < s <= 255 < 255 + (k + 1) / 257`. The lanes of
-/// `bottom` and of the sums wrap together: what is added to a channel leaves it within its bits.
+/// A channel is `b + q`, with `q` the nearest to `(t - b) alpha / 255`: adding the whole number `b` changes no rounding. To keep what
+/// is divided positive, `q` is moved by 64, as `|t - b| alpha` is less than 64 times 255: it is `255 (q + 64) + r` with `|r| <= 127`, so
+/// adding 127 and dividing gives `q + 64`, and all of it has 16 bits. The lanes of `bottom` and of the sums wrap together: what is
+/// added to a channel leaves it within its bits.
 #[inline(always)]
 pub(super) fn narrow_lane<C, const LOW: u32, const MIDDLE: u32, const HIGH: u32>(top: C, bottom: C, alpha: u8) -> C
 where

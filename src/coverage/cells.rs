@@ -110,7 +110,6 @@ impl<'c> Cells<'c> {
             let cells = self.cells.get_mut(start..end).unwrap_or_default();
             return if cells.is_empty() { Ok(()) } else { send_in_runs(row, columns, cells, runs) };
         }
-        runs.finish()?;
         // Whole eights, as far as there are columns and cells.
         let end = start + end.saturating_sub(start).next_multiple_of(8);
         let end = end.min(index(self.columns.end)).min(self.cells.len());

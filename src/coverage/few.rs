@@ -129,7 +129,7 @@ pub(super) fn send_few<const ROUND: bool, S: CoverageSink>(
     let is_sent = (are_together || are_apart) && start >= columns.start && end <= columns.end;
     if is_sent {
         if are_together {
-            send_together(row, start..end, &mut left, &mut right, runs)?;
+            send_together(row, start..end, 0, i32::MAX, &mut left, &mut right, runs)?;
         } else {
             send_separately(row, &mut left, &mut right, runs)?;
         }
@@ -154,17 +154,14 @@ pub(crate) fn send_cluster<S: CoverageSink>(
     runs: &mut Runs<'_, S>,
 ) -> Result<i32, S::Error> {
     let columns = left.start.min(right.start)..left.end.max(right.end);
-    let mut area = 0_u32;
+    let mut area = 0;
     if let Some(inside) = inside {
         area = FULL;
         if inside < columns.start {
             runs.sink.span(Span { row, columns: inside..columns.start }, 255)?;
         }
     }
-    let end = send_columns(row, columns, limit, runs, |column| {
-        area = area.wrapping_add(left.change_in::<S>(column)).wrapping_sub(right.change_in::<S>(column));
-        area
-    })?;
+    let end = send_together(row, columns, area, limit, &mut left, &mut right, runs)?;
     if S::EIGHTS {
         left.clear();
         right.clear();
@@ -172,20 +169,21 @@ pub(crate) fn send_cluster<S: CoverageSink>(
     Ok(end)
 }
 
+/// Sends both sides, added up; `area` is what is covered before them.
 #[inline(always)]
 fn send_together<S: CoverageSink>(
     row: i32,
     columns: Range<i32>,
+    mut area: u32,
+    limit: i32,
     left: &mut Few<'_>,
     right: &mut Few<'_>,
     runs: &mut Runs<'_, S>,
-) -> Result<(), S::Error> {
-    let mut area = 0_u32;
-    send_columns(row, columns, i32::MAX, runs, |column| {
+) -> Result<i32, S::Error> {
+    send_columns(row, columns, limit, runs, |column| {
         area = area.wrapping_add(left.change_in::<S>(column)).wrapping_sub(right.change_in::<S>(column));
         area
-    })?;
-    Ok(())
+    })
 }
 
 #[inline(always)]

@@ -13,6 +13,7 @@ mod runs;
 mod samples;
 mod sides;
 mod slope;
+mod stepper;
 mod straight;
 mod sweep;
 
@@ -23,12 +24,13 @@ pub(crate) use chain::WideChain;
 pub(crate) use circle_rows::NearCircle;
 pub(crate) use convex::{Side, send};
 pub(crate) use few::{Changes, Few, NEAR, send_cluster};
-pub(crate) use ramp::{Extent, FULL, Ramp, column_of, height_in, height_of, part_of};
+pub(crate) use ramp::{Extent, FULL, Ramp, column_of, height_in, height_of};
 pub(crate) use runs::Runs;
 pub(crate) use samples::Supersampler;
 pub use samples::{SampleCell, Samples};
 pub(crate) use sides::{send_between, send_left, send_right};
 pub(crate) use slope::{Slope, Steepness};
+pub(crate) use stepper::Stepper;
 pub(crate) use straight::{Side as StraightSide, Straight, send_cut, send_straight};
 
 use crate::span::Span;

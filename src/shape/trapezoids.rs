@@ -12,7 +12,8 @@
 use core::ops::Range;
 
 use crate::{
-    coverage::{Changes, CoverageSink, Extent, Runs, Slope, column_of, part_of, send_between, send_cut},
+    coverage::{Changes, CoverageSink, Runs, Slope, Stepper, send_between, send_cut},
+    limits::SUBPIXEL_BITS,
     shape::{
         active::CoverageEdge,
         bands::{SLACK, Winding},
@@ -48,35 +49,6 @@ impl Slope {
     }
 }
 
-/// An edge on its way down.
-#[derive(Clone, Copy)]
-struct Stepper {
-    left: i64,
-    step: i64,
-    width: i64,
-}
-
-impl Stepper {
-    #[inline(always)]
-    fn new(edge: &Slope) -> Self {
-        let step = edge.row_step();
-        Self { left: edge.position() + step.min(0), step, width: step.abs() }
-    }
-
-    /// Where it is in this row. It is taken to the next.
-    #[inline(always)]
-    fn step(&mut self) -> Extent {
-        let (left, right) = (self.left, self.left + self.width);
-        self.left += self.step;
-        Extent { first: column_of(left), last: column_of(right), left: part_of(left), right: part_of(right) }
-    }
-
-    #[inline(always)]
-    fn put_back(self, edge: &mut Slope, row: i32) {
-        edge.go_to_row(row, self.left - self.step.min(0));
-    }
-}
-
 /// Sends a trapezoid, from the row that it has been sent up to.
 #[inline(never)]
 pub(super) fn send_up_to<S: CoverageSink>(
@@ -91,7 +63,8 @@ pub(super) fn send_up_to<S: CoverageSink>(
     if rows.is_empty() {
         return Ok(());
     }
-    let (mut left, mut right) = (Stepper::new(&left_edge.edge), Stepper::new(&right_edge.edge));
+    let [mut left, mut right] =
+        [&left_edge, &right_edge].map(|edge| Stepper::<SUBPIXEL_BITS>::new(edge.edge.position(), edge.edge.row_step()));
     let (of_left, of_right) = (left_edge.edge.steepness, right_edge.edge.steepness);
     for row in rows {
         let (left, right) = ((left.step(), of_left), (right.step(), of_right));
@@ -101,8 +74,8 @@ pub(super) fn send_up_to<S: CoverageSink>(
             send_cut(row, left, right, columns, changes, runs)?;
         }
     }
-    left.put_back(&mut left_edge.edge, row);
-    right.put_back(&mut right_edge.edge, row);
+    left_edge.edge.go_to_row(row, left.position());
+    right_edge.edge.go_to_row(row, right.position());
     Ok(())
 }
 

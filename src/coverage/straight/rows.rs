@@ -8,44 +8,9 @@ use crate::coverage::{
     ramp::{Extent, FULL, Ramp, Steep},
     runs::Runs,
     sides::send_between,
-    straight::{
-        far::send_far,
-        side::{Rise, Straight, lower, upper},
-    },
+    stepper::Stepper,
+    straight::{far::send_far, side::Straight},
 };
-
-/// An edge in whole rows: its left end in the current one, how far on that is in the next, and how far to the right end.
-///
-/// To the right or to the left, an edge takes up the same width in each row, so its ends need no comparing.
-#[derive(Debug, Clone, Copy)]
-struct Stepper {
-    left: i64,
-    step: i64,
-    width: i64,
-    rise: Rise,
-}
-
-impl Stepper {
-    #[inline(always)]
-    fn new<const BITS: u32>(edge: &Straight<BITS>) -> Self {
-        Self { left: edge.position + edge.step.min(0), step: edge.step, width: edge.step.abs(), rise: edge.rise }
-    }
-
-    /// Takes the edge to the row that the stepper is on.
-    #[inline(always)]
-    fn put_back<const BITS: u32>(&self, edge: &mut Straight<BITS>, row: i32) {
-        edge.position = self.left - self.step.min(0);
-        edge.y = row << BITS;
-    }
-
-    /// Where it is in this row. It is taken to the next.
-    #[inline(always)]
-    fn step(&mut self) -> Extent {
-        let (left, right) = (self.left, self.left + self.width);
-        self.left += self.step;
-        Extent { first: upper(left), last: upper(right), left: lower(left), right: lower(right) }
-    }
-}
 
 /// Rows that both edges cross from top to bottom. `is_cut`: the clip cuts some of them, perhaps.
 ///
@@ -61,20 +26,22 @@ pub(super) fn send_rows<const BITS: u32, S: CoverageSink>(
     changes: &mut Changes,
     runs: &mut Runs<'_, S>,
 ) -> Result<(), S::Error> {
-    let (mut left, mut right) = (Stepper::new(left_edge), Stepper::new(right_edge));
+    let mut left = Stepper::<0>::new(left_edge.position, left_edge.step);
+    let mut right = Stepper::<0>::new(right_edge.position, right_edge.step);
+    let (left_rise, right_rise) = (left_edge.rise, right_edge.rise);
     let (start, end) = (columns.start, columns.end);
     let is_checked = is_cut || S::EIGHTS;
     let end_row = rows.end;
     for row in rows {
         let (of_left, of_right) = (left.step(), right.step());
         if of_left.last < of_right.first && (!is_checked || (of_left.first >= start && of_right.last < end)) {
-            send_between(row, (of_left, left.rise), (of_right, right.rise), runs)?;
+            send_between(row, (of_left, left_rise), (of_right, right_rise), runs)?;
         } else {
-            send_cut(row, (of_left, left.rise), (of_right, right.rise), columns, changes, runs)?;
+            send_cut(row, (of_left, left_rise), (of_right, right_rise), columns, changes, runs)?;
         }
     }
-    left.put_back(left_edge, end_row);
-    right.put_back(right_edge, end_row);
+    (left_edge.position, left_edge.y) = (left.position(), end_row << BITS);
+    (right_edge.position, right_edge.y) = (right.position(), end_row << BITS);
     Ok(())
 }
 
