@@ -5,7 +5,7 @@ use core::hint::black_box;
 use embedded_graphics_core::geometry::Point;
 
 use crate::{
-    blend::{Blend, Mix, lanes::fill},
+    blend::{Blend, Mix, lanes::{fill, fill_eights}},
     target::PixelRows,
 };
 
@@ -97,12 +97,14 @@ impl<C: Mix, D: PixelRows<Color = C>> Blend<D> for InPlace {
         let row = target.row_from(start);
         let width = usize::try_from(width).unwrap_or(usize::MAX);
         if let Some(row) = row.and_then(|row| row.get_mut(..width))
-            && let [a, b, c, d, inside @ .., e, f, g, h] = row
+            && let [a, b, c, d, .., e, f, g, h] = row
         {
             let mut eight = [*a, *b, *c, *d, *e, *f, *g, *h];
+            fill_eights(row, colour);
             colour.over_eight(&mut eight, sides);
-            [*a, *b, *c, *d, *e, *f, *g, *h] = eight;
-            fill(inside, colour);
+            if let [a, b, c, d, .., e, f, g, h] = row {
+                [*a, *b, *c, *d, *e, *f, *g, *h] = eight;
+            }
         }
         Ok(())
     }

@@ -81,19 +81,33 @@ pub(super) fn mix_eights<C: Copy>(backdrops: &mut [[C; 8]], alphas: &[[u8; 8]], 
 /// does and may overlap the last, in the place of a loop over what is left.
 #[inline(never)]
 pub(super) fn fill<C: Copy>(row: &mut [C], colour: C) {
-    if let Some(last) = row.last_chunk_mut::<8>() {
-        last.fill(colour);
-        for eight in row.chunks_exact_mut(8) {
-            eight.fill(colour);
-        }
+    if row.len() >= 8 {
+        fill_eights(row, colour);
     } else if let Some(last) = row.last_chunk_mut::<4>() {
         last.fill(colour);
         if let Some(first) = row.first_chunk_mut::<4>() {
             first.fill(colour);
         }
-    } else {
-        for pixel in row {
-            *pixel = colour;
+    } else if let [first, others @ ..] = row {
+        *first = colour;
+        if let [.., last] = others {
+            *last = colour;
         }
+        if let [middle, _] = others {
+            *middle = colour;
+        }
+    }
+}
+
+/// The same for at least eight.
+#[inline(always)]
+pub(super) fn fill_eights<C: Copy>(row: &mut [C], colour: C) {
+    if let Some(last) = row.last_chunk_mut::<8>() {
+        last.fill(colour);
+    }
+    for eight in row.as_chunks_mut::<8>().0 {
+        // Unrolled, it takes as many instructions to find out where to begin.
+        black_box(());
+        eight.fill(colour);
     }
 }
