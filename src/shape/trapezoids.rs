@@ -67,11 +67,11 @@ pub(super) fn send_up_to<S: CoverageSink>(
         [&left_edge, &right_edge].map(|edge| Stepper::<SUBPIXEL_BITS>::new(edge.edge.position(), edge.edge.row_step()));
     let (of_left, of_right) = (left_edge.edge.steepness, right_edge.edge.steepness);
     for row in rows {
-        let (left, right) = ((left.step(), of_left), (right.step(), of_right));
-        if left.0.last < right.0.first {
-            send_between(row, left, right, runs)?;
+        let (left, right) = (left.step(), right.step());
+        if left.last < right.first {
+            send_between(row, (left, of_left), (right, of_right), runs)?;
         } else {
-            send_cut(row, left, right, columns, changes, runs)?;
+            send_cut(row, (left, of_left), (right, of_right), columns, changes, runs)?;
         }
     }
     left_edge.edge.go_to_row(row, left.position());
