@@ -16,7 +16,7 @@ use crate::{
     coverage::{
         CoverageSink,
         eights::EIGHT,
-        ramp::{FULL, Ramp, coverage_of},
+        ramp::{Ramp, coverage_of},
         runs::{Runs, SPAN},
     },
     span::Span,
@@ -51,6 +51,30 @@ pub(crate) struct Few<'c> {
     end: i32,
 }
 
+impl Ramp {
+    /// How the area changes in each of its columns, and in the one after them.
+    #[inline(always)]
+    pub(super) fn for_each_change(&self, mut change: impl FnMut(i32, u32)) {
+        let Self { first, last, .. } = *self;
+        change(first, self.first_area);
+        if last != first {
+            let mut area = self.first_area;
+            if last - first > 1 {
+                change(first + 1, self.second_area.wrapping_sub(area));
+                area = self.second_area;
+                for column in first + 2..last {
+                    // As in `send_run`.
+                    black_box(());
+                    change(column, self.step);
+                    area = area.wrapping_add(self.step);
+                }
+            }
+            change(last, self.last_area.wrapping_sub(area));
+        }
+        change(last + 1, self.height.wrapping_sub(self.last_area));
+    }
+}
+
 impl<'c> Few<'c> {
     #[inline(always)]
     fn new(changes: &'c mut [u32; SLOTS]) -> Self {
@@ -70,27 +94,11 @@ impl<'c> Few<'c> {
         if last - first >= NEAR {
             return;
         }
-        let mut change = |column: i32, by: u32| {
+        ramp.for_each_change(|column, by| {
             if let Some(change) = self.slot(column) {
                 *change = change.wrapping_add(by);
             }
-        };
-        change(first, ramp.first_area);
-        if last != first {
-            let mut area = ramp.first_area;
-            if last - first > 1 {
-                change(first + 1, ramp.second_area.wrapping_sub(area));
-                area = ramp.second_area;
-                for column in first + 2..last {
-                    // As in `send_run`.
-                    black_box(());
-                    change(column, ramp.step);
-                    area = area.wrapping_add(ramp.step);
-                }
-            }
-            change(last, ramp.last_area.wrapping_sub(area));
-        }
-        change(last + 1, ramp.height.wrapping_sub(ramp.last_area));
+        });
     }
 
     /// Whether its columns have slots of their own.
@@ -129,7 +137,7 @@ pub(super) fn send_few<const ROUND: bool, S: CoverageSink>(
     let is_sent = (are_together || are_apart) && start >= columns.start && end <= columns.end;
     if is_sent {
         if are_together {
-            send_together(row, start..end, 0, i32::MAX, &mut left, &mut right, runs)?;
+            send_together(row, start..end, &mut left, &mut right, runs)?;
         } else {
             send_separately(row, &mut left, &mut right, runs)?;
         }
@@ -141,49 +149,21 @@ pub(super) fn send_few<const ROUND: bool, S: CoverageSink>(
     Ok(is_sent)
 }
 
-/// Sends a cluster of edges, whose columns have slots of their own: those that lead inside are on the left, those that lead outside
-/// on the right. `inside`: what is before it is inside, and has been sent as far as there. After it, the inside may be sent as far
-/// as `limit`; where what has not been sent begins is returned.
-#[inline(always)]
-pub(crate) fn send_cluster<S: CoverageSink>(
-    row: i32,
-    mut left: Few<'_>,
-    mut right: Few<'_>,
-    inside: Option<i32>,
-    limit: i32,
-    runs: &mut Runs<'_, S>,
-) -> Result<i32, S::Error> {
-    let columns = left.start.min(right.start)..left.end.max(right.end);
-    let mut area = 0;
-    if let Some(inside) = inside {
-        area = FULL;
-        if inside < columns.start {
-            runs.sink.span(Span { row, columns: inside..columns.start }, 255)?;
-        }
-    }
-    let end = send_together(row, columns, area, limit, &mut left, &mut right, runs)?;
-    if S::EIGHTS {
-        left.clear();
-        right.clear();
-    }
-    Ok(end)
-}
-
-/// Sends both sides, added up; `area` is what is covered before them.
+/// Sends both sides, added up.
 #[inline(always)]
 fn send_together<S: CoverageSink>(
     row: i32,
     columns: Range<i32>,
-    mut area: u32,
-    limit: i32,
     left: &mut Few<'_>,
     right: &mut Few<'_>,
     runs: &mut Runs<'_, S>,
-) -> Result<i32, S::Error> {
-    send_columns(row, columns, limit, runs, |column| {
+) -> Result<(), S::Error> {
+    let mut area = 0_u32;
+    send_columns(row, columns, i32::MAX, runs, |column| {
         area = area.wrapping_add(left.change_in::<S>(column)).wrapping_sub(right.change_in::<S>(column));
         area
-    })
+    })?;
+    Ok(())
 }
 
 #[inline(always)]
@@ -246,7 +226,7 @@ fn send_columns<S: CoverageSink>(
 }
 
 #[inline(always)]
-fn send_run<S: CoverageSink>(
+pub(super) fn send_run<S: CoverageSink>(
     row: i32,
     columns: &Range<i32>,
     runs: &mut Runs<'_, S>,

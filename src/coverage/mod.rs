@@ -15,6 +15,7 @@ mod sides;
 mod slope;
 mod stepper;
 mod straight;
+mod sum;
 mod sweep;
 
 pub(crate) use beyond::send_within_range;
@@ -23,7 +24,7 @@ pub(crate) use cells::Cells;
 pub(crate) use chain::WideChain;
 pub(crate) use circle_rows::NearCircle;
 pub(crate) use convex::{Side, send};
-pub(crate) use few::{Changes, Few, NEAR, send_cluster};
+pub(crate) use few::{Changes, NEAR};
 pub(crate) use ramp::{Extent, FULL, Ramp, column_of, height_in, height_of};
 pub(crate) use runs::Runs;
 pub(crate) use samples::Supersampler;
@@ -32,6 +33,7 @@ pub(crate) use sides::{send_between, send_left, send_right};
 pub(crate) use slope::{Slope, Steepness};
 pub(crate) use stepper::Stepper;
 pub(crate) use straight::{Side as StraightSide, Straight, send_cut, send_straight};
+pub(crate) use sum::Sum;
 
 use crate::span::Span;
 

@@ -4,8 +4,7 @@ use core::ops::Range;
 
 use crate::{
     coverage::{
-        Changes, CoverageSink, Extent, Few, Runs, Slope, Steepness, column_of, height_of, send_cluster, send_left,
-        send_right,
+        Changes, CoverageSink, Extent, Runs, Slope, Steepness, Sum, column_of, height_of, send_left, send_right,
     },
     limits::ONE,
     shape::{
@@ -16,21 +15,12 @@ use crate::{
     },
 };
 
-/// The edges of a cluster, added up.
-struct Sum<'c> {
-    adds: Few<'c>,
-    takes: Few<'c>,
-}
-
-impl Sum<'_> {
-    /// Adds an edge from where it is down `height` scan lines, and takes it there.
-    #[inline(never)]
-    fn add(&mut self, edge: &mut CoverageEdge, height: i32, leads_inside: bool) {
-        let (from, to) = (edge.edge.position(), edge.below_by::<false>(height));
-        edge.edge.move_to(to);
-        let ramp = edge.ramp::<false>(from, to, height_of(height));
-        if leads_inside { self.adds.add(&ramp) } else { self.takes.add(&ramp) }
-    }
+/// Adds an edge from where it is down `height` scan lines, and takes it there.
+#[inline(never)]
+fn add(sum: &mut Sum, edge: &mut CoverageEdge, height: i32, leads_inside: bool) {
+    let (from, to) = (edge.edge.position(), edge.below_by::<false>(height));
+    edge.edge.move_to(to);
+    sum.add(&edge.ramp::<false>(from, to, height_of(height)), leads_inside);
 }
 
 /// An edge beside a cluster, in the row, whose lower end it is taken to.
@@ -80,8 +70,7 @@ pub(super) fn send_clusters<S: CoverageSink>(
         {
             inside = Some(send_left(row, beside(edge, row), cluster.first, runs)?);
         }
-        let (adds, takes) = changes.sides();
-        let mut sum = Sum { adds, takes };
+        let mut sum = Sum::new(cluster.first, cluster.last);
         let mut leads_inside = start % 2 == 0;
         let below = at.end - cluster.event;
         let (members, height) = match cluster.kind {
@@ -90,21 +79,21 @@ pub(super) fn send_clusters<S: CoverageSink>(
             Kind::Ended | Kind::Turned => (edges.get_mut(start..end), cluster.event - at.start),
         };
         for edge in members.unwrap_or_default() {
-            sum.add(edge, height, leads_inside);
+            add(&mut sum, edge, height, leads_inside);
             edge.edge.sent_to = row + 1;
             leads_inside = !leads_inside;
         }
         if cluster.kind == Kind::Turned
             && let Some(next) = starting.get_mut(cluster.starting)
         {
-            sum.add(next, below, !leads_inside);
+            add(&mut sum, next, below, !leads_inside);
             next.edge.sent_to = row + 1;
         }
         let limit = match others {
             [next, ..] if next.start == end => next.first,
             _ => edges.get(end).map_or(columns.end, |edge| column_of(edge.edge.ends(row).0)),
         };
-        let column = send_cluster(row, sum.adds, sum.takes, inside, limit, runs)?;
+        let column = sum.send(row, inside, limit, runs)?;
         inside = (end % 2 == 1).then_some(column);
         place = end;
     }
