@@ -91,18 +91,21 @@ impl<T: Track> ActiveEdge<T> {
     /// Unused scratch.
     pub const EMPTY: Self = Self { edge: T::EMPTY, until: 0, vertex: 0, contour: 0 };
 
-    /// The edge that leaves `vertex` one way, if it goes down; `row` is the vertex's.
+    /// Makes it the edge that leaves `vertex` one way, if that goes down; `row` is the vertex's.
     #[inline]
-    pub(super) fn below(
+    pub(super) fn set_below(
+        &mut self,
         contours: Contours<'_>,
         vertex: u32,
         contour: i32,
         row: i32,
         rows: &Range<i32>,
-    ) -> Option<Self> {
-        let (upper, lower, vertex, until) =
-            edge_below(contour_of(contours, contour), vertex, contour >= 0, row, T::ROWS, rows)?;
-        Some(Self { edge: T::on_row(upper, lower, row), until, vertex, contour })
+    ) -> bool {
+        let below = edge_below(contour_of(contours, contour), vertex, contour >= 0, row, T::ROWS, rows);
+        if let Some((upper, lower, vertex, until)) = below {
+            *self = Self { edge: T::on_row(upper, lower, row), until, vertex, contour };
+        }
+        below.is_some()
     }
 
     /// 1 where the contour goes down, -1 where it goes up.

@@ -9,7 +9,7 @@ use crate::{
     limits::ONE,
     shape::{
         active::CoverageEdge,
-        clusters::{Cluster, Clusters, Kind, PixelRow},
+        clusters::{Cluster, Clusters, Kind, line_of},
         table::Table,
         trapezoids::send_up_to,
     },
@@ -24,6 +24,7 @@ fn add(sum: &mut Sum, edge: &mut CoverageEdge, height: i32, leads_inside: bool) 
 }
 
 /// An edge beside a cluster, in the row, whose lower end it is taken to.
+#[inline(always)]
 fn beside(edge: &mut CoverageEdge, row: i32) -> (Extent, Steepness) {
     let from = edge.edge.position();
     let to = from + edge.edge.row_step();
@@ -37,14 +38,13 @@ fn beside(edge: &mut CoverageEdge, row: i32) -> (Extent, Steepness) {
 #[inline(never)]
 pub(super) fn send_clusters<S: CoverageSink>(
     clusters: &mut Clusters,
-    at: PixelRow,
+    row: i32,
     table: &mut Table<'_, '_, Slope>,
     columns: &Range<i32>,
     changes: &mut Changes,
     runs: &mut Runs<'_, S>,
 ) -> Result<(), S::Error> {
-    let row = at.row;
-    let Clusters { list, starting } = clusters;
+    let Clusters { list, starting, .. } = clusters;
     let edges = table.active_mut();
     let mut inside = None;
     let mut place = 0;
@@ -72,11 +72,11 @@ pub(super) fn send_clusters<S: CoverageSink>(
         }
         let mut sum = Sum::new(cluster.first, cluster.last);
         let mut leads_inside = start % 2 == 0;
-        let below = at.end - cluster.event;
+        let below = line_of(row + 1) - cluster.event;
         let (members, height) = match cluster.kind {
             Kind::Started => (starting.get_mut(cluster.starting..cluster.starting + 2), below),
             Kind::Whole => (edges.get_mut(start..end), ONE),
-            Kind::Ended | Kind::Turned => (edges.get_mut(start..end), cluster.event - at.start),
+            Kind::Ended | Kind::Turned => (edges.get_mut(start..end), cluster.event - line_of(row)),
         };
         for edge in members.unwrap_or_default() {
             add(&mut sum, edge, height, leads_inside);

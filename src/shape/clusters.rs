@@ -13,7 +13,7 @@ use heapless::Vec;
 
 use crate::{
     coverage::{NEAR, Slope, column_of},
-    limits::{ONE, SUBPIXEL_BITS},
+    limits::SUBPIXEL_BITS,
     shape::{
         active::{CoverageEdge, Track},
         bands::SLACK,
@@ -29,8 +29,9 @@ const MOST: usize = 4;
 #[derive(Debug, Default)]
 pub(super) struct Clusters {
     pub(super) list: Vec<Cluster, MOST>,
-    /// The edges that start in the row.
-    pub(super) starting: Vec<CoverageEdge, { 2 * MOST }>,
+    /// The edges that start in the row, and one slot more.
+    pub(super) starting: [CoverageEdge; 2 * MOST + 1],
+    started: usize,
 }
 
 /// Edges that are neighbours of each other, and the columns that they have in the row.
@@ -60,20 +61,10 @@ pub(super) enum Kind {
     Turned,
 }
 
-/// A row of pixels, from one scan line to another.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct PixelRow {
-    pub(super) row: i32,
-    pub(super) start: i32,
-    pub(super) end: i32,
-}
-
-impl PixelRow {
-    /// The last row of all ends where coordinates do, a scan line early.
-    pub(super) fn new(row: i32, end: i32) -> Self {
-        let start = row << SUBPIXEL_BITS;
-        Self { row, start, end: start.saturating_add(ONE).min(end) }
-    }
+/// The scan line at the top of a row.
+#[inline(always)]
+pub(super) fn line_of(row: i32) -> i32 {
+    row << SUBPIXEL_BITS
 }
 
 impl Cluster {
@@ -95,56 +86,52 @@ impl Clusters {
         &mut self,
         table: &mut Table<'_, '_, Slope>,
         fill_rule: FillRule,
-        at: PixelRow,
+        row: i32,
         event: i32,
         columns: &Range<i32>,
     ) -> Option<()> {
         self.list.clear();
-        self.starting.clear();
-        // The last row of all is cut where coordinates end.
-        if at.end & (ONE - 1) != 0 {
-            return None;
+        self.started = 0;
+        if event < line_of(row + 1) {
+            self.find_ended(table, row)?;
+            self.find_started(table, fill_rule, row)?;
         }
-        if event < at.end {
-            self.find_ended(table, at)?;
-            self.find_started(table, fill_rule, at)?;
-        }
-        self.find_whole(table.active_mut(), at, columns)?;
+        self.find_whole(table.active_mut(), row, columns)?;
         self.list.iter().all(|cluster| cluster.last - cluster.first < NEAR).then_some(())
     }
 
-    fn find_ended(&mut self, table: &mut Table<'_, '_, Slope>, at: PixelRow) -> Option<()> {
+    fn find_ended(&mut self, table: &mut Table<'_, '_, Slope>, row: i32) -> Option<()> {
         let mut place = 0;
-        while let Some(before) = table.active_mut().iter().skip(place).position(|edge| edge.until <= at.end) {
-            place = self.add_ended(table, place + before, at)?;
+        while let Some(before) = table.active_mut().iter().skip(place).position(|edge| edge.until <= line_of(row + 1)) {
+            place = self.add_ended(table, place + before, row)?;
         }
         Some(())
     }
 
     /// The edges that end in the row, from a place on. The place after them is returned.
-    fn add_ended(&mut self, table: &mut Table<'_, '_, Slope>, place: usize, at: PixelRow) -> Option<usize> {
+    fn add_ended(&mut self, table: &mut Table<'_, '_, Slope>, place: usize, row: i32) -> Option<usize> {
         let (contours, rows) = (table.contours(), table.rows());
         let [edge, others @ ..] = table.active_mut().get(place..)? else { return None };
         let event = edge.until;
-        let height = i64::from(event - at.start);
-        let top = edge.edge.at_row(at.row);
+        let height = i64::from(event - line_of(row));
+        let top = edge.edge.at_row(row);
         let to = top + edge.edge.step() * height;
         let mut cluster = Cluster::new(Kind::Ended, place, place + 2, event);
         cluster.include(top, to);
-        if let Some(next) = CoverageEdge::below(contours, edge.vertex, edge.contour, event, rows) {
-            if next.until <= at.end || next.edge.is_wide() {
+        let next = self.starting.get_mut(self.started)?;
+        if next.set_below(contours, edge.vertex, edge.contour, event, rows) {
+            if next.until <= line_of(row + 1) || next.edge.is_wide() {
                 return None;
             }
-            (cluster.kind, cluster.end, cluster.starting) = (Kind::Turned, place + 1, self.starting.len());
-            cluster.include(next.edge.position(), next.below_by::<false>(at.end - event));
-            self.starting.push(next).ok()?;
+            (cluster.kind, cluster.end, cluster.starting) = (Kind::Turned, place + 1, self.started);
+            cluster.include(next.edge.position(), next.below_by::<false>(line_of(row + 1) - event));
+            self.started += 1;
         } else {
             let other = others.first()?;
-            let other_top = other.edge.at_row(at.row);
+            let other_top = other.edge.at_row(row);
             let other_to = other_top + other.edge.step() * height;
-            let ends = other.until == event
-                && CoverageEdge::below(contours, other.vertex, other.contour, event, rows).is_none();
-            if !ends || other_to + SLACK < to {
+            let goes_on = other.until != event || next.set_below(contours, other.vertex, other.contour, event, rows);
+            if goes_on || other_to + SLACK < to {
                 return None;
             }
             cluster.include(other_top, other_to);
@@ -153,10 +140,10 @@ impl Clusters {
         Some(cluster.end)
     }
 
-    fn find_started(&mut self, table: &mut Table<'_, '_, Slope>, fill_rule: FillRule, at: PixelRow) -> Option<()> {
-        let count = table.starting_before(at.end)?;
+    fn find_started(&mut self, table: &mut Table<'_, '_, Slope>, fill_rule: FillRule, row: i32) -> Option<()> {
+        let count = table.starting_before(line_of(row + 1))?;
         for index in 0..count {
-            self.add_started(table, fill_rule, index, at)?;
+            self.add_started(table, fill_rule, index, row)?;
         }
         Some(())
     }
@@ -167,17 +154,18 @@ impl Clusters {
         table: &mut Table<'_, '_, Slope>,
         fill_rule: FillRule,
         index: usize,
-        at: PixelRow,
+        row: i32,
     ) -> Option<()> {
-        let starting = self.starting.len();
-        let event = table.waiting_edges(index, |edge| self.starting.push(edge).is_ok())?;
-        let [left, right] = self.starting.get_mut(starting..)? else { return None };
+        let starting = self.started;
+        let [left, right] = self.starting.get_mut(starting..)?.first_chunk_mut()?.each_mut();
+        let event = table.waiting_edges(index, [left, right])?;
+        self.started += 2;
         if left.edge.is_right_of(&right.edge) {
             swap(left, right);
         }
         let (left_below, right_below) =
-            (left.below_by::<false>(at.end - event), right.below_by::<false>(at.end - event));
-        let is_long = |edge: &CoverageEdge| edge.until > at.end && !edge.edge.is_wide();
+            (left.below_by::<false>(line_of(row + 1) - event), right.below_by::<false>(line_of(row + 1) - event));
+        let is_long = |edge: &CoverageEdge| edge.until > line_of(row + 1) && !edge.edge.is_wide();
         if !is_long(left) || !is_long(right) || right_below + SLACK < left_below {
             return None;
         }
@@ -186,7 +174,7 @@ impl Clusters {
         cluster.include(left.edge.position(), left_below);
         cluster.include(right.edge.position(), right_below);
         let edges = &*table.active_mut();
-        let place = edges.iter().take_while(|edge| column_of(edge.edge.at_row(at.row)) < cluster.first).count();
+        let place = edges.iter().take_while(|edge| column_of(edge.edge.at_row(row)) < cluster.first).count();
         (cluster.start, cluster.end) = (place, place);
         // Inside of the shape, they lead outside first.
         if fill_rule == FillRule::NonZero
@@ -214,7 +202,7 @@ impl Clusters {
     }
 
     /// Those that share columns, between the others.
-    fn find_whole(&mut self, edges: &[CoverageEdge], at: PixelRow, columns: &Range<i32>) -> Option<()> {
+    fn find_whole(&mut self, edges: &[CoverageEdge], row: i32, columns: &Range<i32>) -> Option<()> {
         let mut last = columns.start.saturating_sub(1);
         let mut next = 0;
         let mut start = 0;
@@ -223,7 +211,7 @@ impl Clusters {
             let end = cluster.map_or(edges.len(), |cluster| cluster.start);
             let mut before = (0, 0);
             for (index, edge) in edges.get(start..end)?.iter().enumerate() {
-                let from = edge.edge.at_row(at.row);
+                let from = edge.edge.at_row(row);
                 let to = from + edge.edge.row_step();
                 let (first, before_last) = (column_of(from.min(to)), last);
                 last = column_of(from.max(to));
@@ -232,7 +220,7 @@ impl Clusters {
                     if index == 0 {
                         return None;
                     }
-                    next = self.add_whole(next, start + index, before, (from, to), at.end)?;
+                    next = self.add_whole(next, start + index, before, (from, to), line_of(row + 1))?;
                     last = last.max(before_last);
                 }
                 before = (from, to);

@@ -13,7 +13,7 @@ use crate::{
         active::{CoverageEdge, contour_of},
         bands::{Band, Winding},
         cluster_rows::send_clusters,
-        clusters::{Clusters, PixelRow},
+        clusters::{Clusters, line_of},
         outline::{FillRule, next_index},
         table::Table,
         trapezoids::{alternate, rows_apart, send_all_up_to, set_all_sent_to},
@@ -119,17 +119,18 @@ impl<'c, 's, S: CoverageSink> Strip<'c, 's, S> {
         let Self { columns, clusters, changes, runs, .. } = self;
         set_all_sent_to(row, table.active_mut());
         while !table.is_idle() {
-            let event = table.next_event(row << SUBPIXEL_BITS, end);
+            let event = table.next_event(line_of(row), end);
             row += rows_apart(row..pixel_holding(event), table.active_mut(), columns);
-            let at = PixelRow::new(row, end);
-            if event == at.start || clusters.find(table, fill_rule, at, event, columns).is_none() {
+            // The last row of all is cut where coordinates end.
+            let is_whole = event != line_of(row) && row < pixel_holding(i32::MAX);
+            if !is_whole || clusters.find(table, fill_rule, row, event, columns).is_none() {
                 break;
             }
-            send_clusters(clusters, at, table, columns, changes, runs)?;
+            send_clusters(clusters, row, table, columns, changes, runs)?;
             row += 1;
         }
         send_all_up_to(row, table.active_mut(), columns, changes, runs)?;
-        Ok(row << SUBPIXEL_BITS)
+        Ok(line_of(row))
     }
 }
 

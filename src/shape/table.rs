@@ -98,10 +98,10 @@ impl<'a, 's, T: Track> Table<'a, 's, T> {
         for index in 0..active.len() {
             let Some(edge) = active.get_mut(index) else { break };
             if edge.until == row {
-                let Some(next) = ActiveEdge::below(self.contours, edge.vertex, edge.contour, row, self.rows) else {
+                let (vertex, contour) = (edge.vertex, edge.contour);
+                if !edge.set_below(self.contours, vertex, contour, row, self.rows) {
                     continue;
-                };
-                *edge = next;
+                }
             } else if !edge.edge.can_step() {
                 edge.edge = remade(contour_of(self.contours, edge.contour), edge.vertex, edge.contour >= 0, row);
             }
@@ -137,16 +137,14 @@ impl<'a, 's, T: Track> Table<'a, 's, T> {
         (is_known && self.active + starting <= self.waiting).then_some(starting)
     }
 
-    /// Hands over the edges of one of the tops that wait. The row that they start on is returned.
+    /// Makes the edges of one of the tops that wait. The row that they start on is returned.
     #[inline]
-    pub(crate) fn waiting_edges(&self, index: usize, mut take: impl FnMut(ActiveEdge<T>) -> bool) -> Option<i32> {
+    pub(crate) fn waiting_edges(&self, index: usize, edges: [&mut ActiveEdge<T>; 2]) -> Option<i32> {
         let top = self.slots.get(self.waiting + index).map(ActiveEdge::top)?;
-        for contour in [top.contour, !top.contour] {
-            if !take(ActiveEdge::below(self.contours, top.vertex, contour, top.row, self.rows)?) {
-                return None;
-            }
-        }
-        Some(top.row)
+        let [one, other] = edges;
+        let are_below = one.set_below(self.contours, top.vertex, top.contour, top.row, self.rows)
+            && other.set_below(self.contours, top.vertex, !top.contour, top.row, self.rows);
+        are_below.then_some(top.row)
     }
 
     /// A top has become two edges, in these places.
@@ -205,9 +203,9 @@ impl<'a, 's, T: Track> Table<'a, 's, T> {
             let Some(top) = self.slots.get(self.waiting).map(ActiveEdge::top) else { return };
             self.waiting += 1;
             for contour in [top.contour, !top.contour] {
-                let edge = ActiveEdge::below(self.contours, top.vertex, contour, row, self.rows);
-                if let (Some(edge), Some(slot)) = (edge, self.slots.get_mut(self.active)) {
-                    *slot = edge;
+                if let Some(slot) = self.slots.get_mut(self.active)
+                    && slot.set_below(self.contours, top.vertex, contour, row, self.rows)
+                {
                     sink_left(self.slots, self.active);
                     self.active += 1;
                 }
