@@ -5,7 +5,10 @@ use core::hint::black_box;
 use embedded_graphics_core::geometry::Point;
 
 use crate::{
-    blend::{Blend, Mix, lanes::{fill, fill_eights}},
+    blend::{
+        Blend, Mix,
+        lanes::{fill, fill_eights},
+    },
     target::PixelRows,
 };
 
