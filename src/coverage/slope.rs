@@ -46,31 +46,19 @@ pub(crate) fn position_of(coordinate: i32) -> i64 {
 impl Slope {
     pub(crate) const EMPTY: Self = Self { position: (0, 0), row_step: (0, 0), steepness: Steepness::NONE, sent_to: 0 };
 
-    /// The edge on scan line `y`, which is not below its end.
+    /// The edge on scan line `y`, which is not below its end. One outside of the narrow zone cannot be stepped, see
+    /// [`widen`](Self::widen).
     #[inline(always)]
     pub(crate) fn on_line(top: Vertex, bottom: Vertex, y: i32) -> Self {
         let descent = Descent::between(top, bottom);
         let below = y.wrapping_sub(top.y.to_bits()).cast_unsigned();
-        if descent.is_narrow() { Self::narrow(descent, below.cast_signed()) } else { Self::wide(descent, below) }
-    }
-
-    /// `below` the top of an edge in the narrow zone.
-    #[inline(always)]
-    pub(crate) fn narrow(descent: Descent, below: i32) -> Self {
-        let Descent { x0, x1, dy } = descent;
-        let (step, steepness) = directed(x1.wrapping_sub(x0), dy);
-        Self {
-            position: halves(position_of(x0) + i64::from(below) * step),
-            row_step: halves(step << SUBPIXEL_BITS),
-            steepness,
-            sent_to: 0,
-        }
-    }
-
-    /// `below` the top of an edge anywhere: it cannot be stepped, see [`widen`](Self::widen).
-    #[inline(never)]
-    pub(crate) fn wide(descent: Descent, below: u32) -> Self {
-        Self { position: halves(wide_position(descent, below)), steepness: Steepness::WIDE, ..Self::EMPTY }
+        let (position, step, steepness) = if descent.is_narrow() {
+            let (step, steepness) = directed(descent.x1.wrapping_sub(descent.x0), descent.dy);
+            (position_of(descent.x0) + i64::from(below) * step, step, steepness)
+        } else {
+            (wide_position(descent, below), 0, Steepness::WIDE)
+        };
+        Self { position: halves(position), row_step: halves(step << SUBPIXEL_BITS), steepness, sent_to: 0 }
     }
 
     /// Outside of the narrow zone: what it steps by is all the way to the end of the band that it was made for last.
@@ -126,6 +114,7 @@ pub(crate) fn directed(dx: i32, dy: u32) -> (i64, Steepness) {
 }
 
 /// A position on an edge of any size.
+#[inline(never)]
 pub(crate) fn wide_position(descent: Descent, below: u32) -> i64 {
     let Descent { x0, x1, dy } = descent;
     let (whole, part) = divide_product(u64::from(below), x1.abs_diff(x0), dy);
