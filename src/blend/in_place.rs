@@ -88,7 +88,7 @@ impl<C: Mix, D: PixelRows<Color = C>> Blend<D> for InPlace {
         Ok(())
     }
 
-    #[inline]
+    #[inline(always)]
     fn span_with_sides(
         &self,
         target: &mut D,

@@ -273,7 +273,7 @@ impl<D: DrawTarget, B: Blend<D>> CoverageSink for BlendedFill<'_, D, B> {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn span_with_sides(&mut self, span: Span, sides: &[u8; 8]) -> Result<(), D::Error> {
         if self.opacity < 255 {
             return send_apart(self, span, sides);
