@@ -54,14 +54,14 @@ impl Ramp {
 
 /// See `sides`.
 #[inline(always)]
-pub(super) fn send_between<S: CoverageSink>(
+pub(super) fn send_between<const STEEP: bool, S: CoverageSink>(
     row: i32,
     left: (Extent, Steepness),
     right: (Extent, Steepness),
     sink: &mut S,
 ) -> Result<(), S::Error> {
     let (start, end) = (left.0.first, right.0.last + 1);
-    let (left_word, right_word) = if left.1.is_steep() && right.1.is_steep() {
+    let (left_word, right_word) = if STEEP || (left.1.is_steep() && right.1.is_steep()) {
         (two::<false>(left.0, left.1), two::<true>(right.0, right.1))
     } else if left.0.last - start < FEW && end - right.0.first <= FEW {
         (Ramp::new_few(left.0, left.1).few::<false>(), Ramp::new_few(right.0, right.1).few::<true>())

@@ -18,9 +18,10 @@ use crate::{
     span::Span,
 };
 
-/// Sends what lies between two edges, each with where it is in the row and how steep it is.
+/// Sends what lies between two edges, each with where it is in the row and how steep it is. `STEEP`: both are known to be
+/// [steep](Steepness::is_steep).
 #[inline(always)]
-pub(crate) fn send_between<S: CoverageSink>(
+pub(crate) fn send_between<const STEEP: bool, S: CoverageSink>(
     row: i32,
     left: (Extent, impl Steep),
     right: (Extent, impl Steep),
@@ -28,7 +29,7 @@ pub(crate) fn send_between<S: CoverageSink>(
 ) -> Result<(), S::Error> {
     if S::EIGHTS {
         let (left, right) = ((left.0, left.1.steepness()), (right.0, right.1.steepness()));
-        return eights::send_between(row, left, right, runs.sink);
+        return eights::send_between::<STEEP, S>(row, left, right, runs.sink);
     }
     let inside = send_left(row, left, right.0.first, runs)?;
     send_right(row, right, inside, runs)

@@ -63,19 +63,37 @@ pub(super) fn send_up_to<S: CoverageSink>(
     if rows.is_empty() {
         return Ok(());
     }
+    // A loop of its own needs fewer registers.
+    if S::EIGHTS && left_edge.edge.steepness.is_steep() && right_edge.edge.steepness.is_steep() {
+        send_rows::<true, S>(rows, left_edge, right_edge, columns, changes, runs)
+    } else {
+        send_rows::<false, S>(rows, left_edge, right_edge, columns, changes, runs)
+    }
+}
+
+#[inline(always)]
+fn send_rows<const STEEP: bool, S: CoverageSink>(
+    rows: Range<i32>,
+    left_edge: &mut CoverageEdge,
+    right_edge: &mut CoverageEdge,
+    columns: &Range<i32>,
+    changes: &mut Changes,
+    runs: &mut Runs<'_, S>,
+) -> Result<(), S::Error> {
+    let end = rows.end;
     let [mut left, mut right] =
         [&left_edge, &right_edge].map(|edge| Stepper::<SUBPIXEL_BITS>::new(edge.edge.position(), edge.edge.row_step()));
     let (of_left, of_right) = (left_edge.edge.steepness, right_edge.edge.steepness);
     for row in rows {
         let (left, right) = (left.step(), right.step());
         if left.last < right.first {
-            send_between(row, (left, of_left), (right, of_right), runs)?;
+            send_between::<STEEP, S>(row, (left, of_left), (right, of_right), runs)?;
         } else {
             send_cut(row, (left, of_left), (right, of_right), columns, changes, runs)?;
         }
     }
-    left_edge.edge.go_to_row(row, left.position());
-    right_edge.edge.go_to_row(row, right.position());
+    left_edge.edge.go_to_row(end, left.position());
+    right_edge.edge.go_to_row(end, right.position());
     Ok(())
 }
 
