@@ -71,12 +71,18 @@ pub(super) fn send_between<const STEEP: bool, S: CoverageSink>(
     };
     let width = end - start;
     let before = 8 * (right.0.first - (end - width.min(EIGHT))).cast_unsigned();
-    let of_right = (right_word << before) | ((1 << before) - 1);
+    let of_right = after_inside(right_word, before);
     if width <= EIGHT {
         return sink.eights(row, start, &[(left_word & of_right).to_le_bytes()]);
     }
     let sides = (left_word & u64::from(u32::MAX)) | (of_right & !u64::from(u32::MAX));
     sink.span_with_sides(Span { row, columns: start..end }, &sides.to_le_bytes())
+}
+
+/// A word `(word << bits) | ((1 << bits) - 1)`: what a right edge takes of its pixels, after some of the inside.
+#[inline(always)]
+fn after_inside(word: u64, bits: u32) -> u64 {
+    (word.wrapping_add(1) << bits).wrapping_sub(1)
 }
 
 /// As [`Ramp::few`], of an edge that crosses at most a pixel in a row, and so at most two columns.
@@ -149,7 +155,7 @@ pub(super) fn send_right<S: CoverageSink>(
     }
     if let Some(word) = narrow::<true>(extent, steepness) {
         let before = 8 * (first - column).cast_unsigned();
-        return sink.eights(row, column, &[((word << before) | ((1 << before) - 1)).to_le_bytes()]);
+        return sink.eights(row, column, &[after_inside(word, before).to_le_bytes()]);
     }
     let ramp = Ramp::new(extent, FULL, steepness);
     let covered = |area: u32| u64::from(coverage_beside::<true>(area));

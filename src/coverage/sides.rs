@@ -19,7 +19,7 @@ use crate::{
 };
 
 /// Sends what lies between two edges, each with where it is in the row and how steep it is. `STEEP`: both are known to be
-/// [steep](Steepness::is_steep).
+/// [steep](crate::coverage::Steepness::is_steep).
 #[inline(always)]
 pub(crate) fn send_between<const STEEP: bool, S: CoverageSink>(
     row: i32,
