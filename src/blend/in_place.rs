@@ -104,7 +104,7 @@ impl<C: Mix, D: PixelRows<Color = C>> Blend<D> for InPlace {
         {
             let mut eight = [*a, *b, *c, *d, *e, *f, *g, *h];
             fill_eights(row, colour);
-            colour.over_eight(&mut eight, sides);
+            colour.over_eight(black_box(&mut eight), sides);
             if let [a, b, c, d, .., e, f, g, h] = row {
                 [*a, *b, *c, *d, *e, *f, *g, *h] = eight;
             }

@@ -129,9 +129,12 @@ macro_rules! impl_mix {
             }
 
             /// Out of line, the compiler sees a loop of eight, and does it at once.
-            #[inline(never)]
+            #[inline(always)]
             fn over_eight(self, backdrops: &mut [Self; 8], alphas: &[u8; 8]) {
-                mix_eight(backdrops, alphas, |backdrop, alpha| $mix_lane(self, backdrop, alpha));
+                let alphas = core::hint::black_box(alphas);
+                let mut eight = *backdrops;
+                mix_eight(&mut eight, alphas, |backdrop, alpha| $mix_lane(self, backdrop, alpha));
+                *backdrops = eight;
             }
 
             #[inline(never)]

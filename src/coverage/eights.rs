@@ -10,9 +10,11 @@
 //!     '------ four ----'   '------ four ----'      and a span between them
 //! ```
 
+use core::ops::Range;
+
 use crate::{
     coverage::{
-        CoverageSink,
+        CoverageSink, Stepper,
         ramp::{Extent, FULL, Ramp, coverage_beside},
         slope::Steepness,
     },
@@ -77,6 +79,31 @@ pub(super) fn send_between<const STEEP: bool, S: CoverageSink>(
     }
     let sides = (left_word & u64::from(u32::MAX)) | (of_right & !u64::from(u32::MAX));
     sink.span_with_sides(Span { row, columns: start..end }, &sides.to_le_bytes())
+}
+
+/// The rows between two edges that are [steep](Steepness::is_steep), from the first on, as long as they share no columns.
+///
+/// A sink that is an argument of its own can be kept in registers: nothing else can reach it.
+#[inline(never)]
+pub(crate) fn send_steep<const BELOW: u32, S: CoverageSink>(
+    rows: &mut Range<i32>,
+    left: (&mut Stepper<BELOW>, Steepness),
+    right: (&mut Stepper<BELOW>, Steepness),
+    sink: &mut S,
+) -> Result<(), S::Error> {
+    let (mut left_edge, mut right_edge) = (*left.0, *right.0);
+    while rows.start < rows.end {
+        let (of_left, of_right) = (left_edge.extent(), right_edge.extent());
+        if of_left.last >= of_right.first {
+            break;
+        }
+        send_between::<true, S>(rows.start, (of_left, left.1), (of_right, right.1), sink)?;
+        left_edge.step();
+        right_edge.step();
+        rows.start += 1;
+    }
+    (*left.0, *right.0) = (left_edge, right_edge);
+    Ok(())
 }
 
 /// A word `(word << bits) | ((1 << bits) - 1)`: what a right edge takes of its pixels, after some of the inside.

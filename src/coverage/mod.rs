@@ -25,6 +25,7 @@ pub(crate) use chain::WideChain;
 pub(crate) use circle_rows::NearCircle;
 pub(crate) use convex::{Side, send};
 pub(crate) use few::{Changes, NEAR};
+pub(crate) use eights::send_steep;
 pub(crate) use ramp::{Extent, FULL, Ramp, column_of, height_in, height_of};
 pub(crate) use runs::Runs;
 pub(crate) use samples::Supersampler;

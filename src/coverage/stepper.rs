@@ -29,8 +29,15 @@ impl<const BELOW: u32> Stepper<BELOW> {
     /// Where it is in this row. It is taken to the next.
     #[inline(always)]
     pub(crate) fn step(&mut self) -> Extent {
-        let (left, right) = (self.left, self.left + self.width);
+        let extent = self.extent();
         self.left += self.step;
+        extent
+    }
+
+    /// Where it is in this row.
+    #[inline(always)]
+    pub(super) fn extent(&self) -> Extent {
+        let (left, right) = (self.left, self.left + self.width);
         Extent {
             first: column(left >> BELOW),
             last: column(right >> BELOW),

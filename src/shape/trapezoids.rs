@@ -12,7 +12,7 @@
 use core::ops::Range;
 
 use crate::{
-    coverage::{Changes, CoverageSink, Runs, Slope, Stepper, send_between, send_cut},
+    coverage::{Changes, CoverageSink, Runs, Slope, Stepper, send_between, send_cut, send_steep},
     limits::SUBPIXEL_BITS,
     shape::{
         active::CoverageEdge,
@@ -63,37 +63,29 @@ pub(super) fn send_up_to<S: CoverageSink>(
     if rows.is_empty() {
         return Ok(());
     }
-    // A loop of its own needs fewer registers.
-    if S::EIGHTS && left_edge.edge.steepness.is_steep() && right_edge.edge.steepness.is_steep() {
-        send_rows::<true, S>(rows, left_edge, right_edge, columns, changes, runs)
-    } else {
-        send_rows::<false, S>(rows, left_edge, right_edge, columns, changes, runs)
-    }
-}
-
-#[inline(always)]
-fn send_rows<const STEEP: bool, S: CoverageSink>(
-    rows: Range<i32>,
-    left_edge: &mut CoverageEdge,
-    right_edge: &mut CoverageEdge,
-    columns: &Range<i32>,
-    changes: &mut Changes,
-    runs: &mut Runs<'_, S>,
-) -> Result<(), S::Error> {
-    let end = rows.end;
+    let mut rows = rows;
     let [mut left, mut right] =
         [&left_edge, &right_edge].map(|edge| Stepper::<SUBPIXEL_BITS>::new(edge.edge.position(), edge.edge.row_step()));
     let (of_left, of_right) = (left_edge.edge.steepness, right_edge.edge.steepness);
-    for row in rows {
+    let are_steep = S::EIGHTS && of_left.is_steep() && of_right.is_steep();
+    while rows.start < rows.end {
+        if are_steep {
+            send_steep(&mut rows, (&mut left, of_left), (&mut right, of_right), runs.sink)?;
+            if rows.is_empty() {
+                break;
+            }
+        }
+        let row = rows.start;
         let (left, right) = (left.step(), right.step());
         if left.last < right.first {
-            send_between::<STEEP, S>(row, (left, of_left), (right, of_right), runs)?;
+            send_between::<false, S>(row, (left, of_left), (right, of_right), runs)?;
         } else {
             send_cut(row, (left, of_left), (right, of_right), columns, changes, runs)?;
         }
+        rows.start += 1;
     }
-    left_edge.edge.go_to_row(end, left.position());
-    right_edge.edge.go_to_row(end, right.position());
+    left_edge.edge.go_to_row(row, left.position());
+    right_edge.edge.go_to_row(row, right.position());
     Ok(())
 }
 
