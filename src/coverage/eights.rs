@@ -25,7 +25,7 @@ use crate::{
 pub(super) const EIGHT: i32 = 8;
 
 /// So many columns are worked out without a jump; and one more is sent on either side of a span.
-const FEW: i32 = 3;
+const FEW: i32 = 4;
 
 impl Ramp {
     /// The coverage of the eight columns from `column` on, the first in the lowest byte, as if all of them were between the
@@ -42,15 +42,17 @@ impl Ramp {
         u64::from_le_bytes(coverage)
     }
 
-    /// The coverage of up to three columns, which are all that it crosses, the first in the lowest byte. In the bytes after
+    /// The coverage of up to four columns, which are all that it crosses, the first in the lowest byte. In the bytes after
     /// them is the inside of a left edge, and nothing of a right one.
     #[inline(always)]
     fn few<const IS_RIGHT: bool>(&self) -> u64 {
         let covered = |area: u32| u64::from(coverage_beside::<IS_RIGHT>(area));
-        let across = (self.last - self.first).cast_unsigned();
-        let word = covered(self.first_area) | (covered(self.second_area) << 8) | (covered(self.last_area) << 16);
-        let crossed = (1_u64 << 8 << (8 * across)) - 1;
-        if IS_RIGHT { word & crossed } else { word | !crossed }
+        let third_area = self.second_area.wrapping_add(self.step);
+        let word = covered(self.first_area) | (covered(self.second_area) << 8) | (covered(third_area) << 16);
+        let at_last = 8 * (self.last - self.first).cast_unsigned();
+        let before_last = word & ((1 << at_last) - 1);
+        let after = if IS_RIGHT { 0 } else { !0xFF };
+        before_last | ((covered(self.last_area) | after) << at_last)
     }
 }
 
@@ -66,7 +68,14 @@ pub(super) fn send_between<const STEEP: bool, S: CoverageSink>(
     let (left_word, right_word) = if STEEP || (left.1.is_steep() && right.1.is_steep()) {
         (two::<false>(left.0, left.1), two::<true>(right.0, right.1))
     } else if left.0.last - start < FEW && end - right.0.first <= FEW {
-        (Ramp::new_few(left.0, left.1).few::<false>(), Ramp::new_few(right.0, right.1).few::<true>())
+        let of_left =
+            if left.1.is_steep() { two::<false>(left.0, left.1) } else { Ramp::new_few(left.0, left.1).few::<false>() };
+        let of_right = if right.1.is_steep() {
+            two::<true>(right.0, right.1)
+        } else {
+            Ramp::new_few(right.0, right.1).few::<true>()
+        };
+        (of_left, of_right)
     } else {
         let inside = send_left(row, left.0, left.1, right.0.first, sink)?;
         return send_right(row, right.0, right.1, inside, sink);
@@ -81,28 +90,28 @@ pub(super) fn send_between<const STEEP: bool, S: CoverageSink>(
     sink.span_with_sides(Span { row, columns: start..end }, &sides.to_le_bytes())
 }
 
-/// The rows between two edges that are [steep](Steepness::is_steep), from the first on, as long as they share no columns.
+/// Sends the rows between two edges that are [steep](Steepness::is_steep), from the first on, as long as they share no columns.
 ///
-/// A sink that is an argument of its own can be kept in registers: nothing else can reach it.
+/// Nothing else can reach a sink that is an argument of its own: what it needs of a colour is worked out once for all rows.
 #[inline(never)]
 pub(crate) fn send_steep<const BELOW: u32, S: CoverageSink>(
     rows: &mut Range<i32>,
-    left: (&mut Stepper<BELOW>, Steepness),
-    right: (&mut Stepper<BELOW>, Steepness),
+    sides: &mut [Stepper<BELOW>; 2],
+    steepness: [Steepness; 2],
     sink: &mut S,
 ) -> Result<(), S::Error> {
-    let (mut left_edge, mut right_edge) = (*left.0, *right.0);
-    while rows.start < rows.end {
-        let (of_left, of_right) = (left_edge.extent(), right_edge.extent());
-        if of_left.last >= of_right.first {
+    let ([mut left, mut right], [of_left, of_right]) = (*sides, steepness);
+    for row in rows.clone() {
+        let [in_left, in_right] = [left.extent(), right.extent()];
+        if in_left.last >= in_right.first {
             break;
         }
-        send_between::<true, S>(rows.start, (of_left, left.1), (of_right, right.1), sink)?;
-        left_edge.step();
-        right_edge.step();
-        rows.start += 1;
+        send_between::<true, S>(row, (in_left, of_left), (in_right, of_right), sink)?;
+        left.step();
+        right.step();
+        rows.start = row + 1;
     }
-    (*left.0, *right.0) = (left_edge, right_edge);
+    *sides = [left, right];
     Ok(())
 }
 

@@ -147,7 +147,7 @@ impl Ramp {
         let in_two = in_two(in_one, FULL, beyond);
         let first_area = select(across == 0, in_one, select(across == 1, in_two, high_word(!left, down) >> 1));
         let last_area = select(across == 0, in_one, FULL - beyond);
-        let second_area = select(across == 1, last_area, down.wrapping_add(step >> 1));
+        let second_area = down.wrapping_add(step >> 1);
         Self { first, last, height: FULL, first_area, last_area, second_area, step, steepness: steep.steepness() }
     }
 

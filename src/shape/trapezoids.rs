@@ -59,33 +59,36 @@ pub(super) fn send_up_to<S: CoverageSink>(
     changes: &mut Changes,
     runs: &mut Runs<'_, S>,
 ) -> Result<(), S::Error> {
-    let rows = left_edge.edge.sent_to..row;
+    let mut rows = left_edge.edge.sent_to..row;
     if rows.is_empty() {
         return Ok(());
     }
-    let mut rows = rows;
-    let [mut left, mut right] =
-        [&left_edge, &right_edge].map(|edge| Stepper::<SUBPIXEL_BITS>::new(edge.edge.position(), edge.edge.row_step()));
-    let (of_left, of_right) = (left_edge.edge.steepness, right_edge.edge.steepness);
-    let are_steep = S::EIGHTS && of_left.is_steep() && of_right.is_steep();
-    while rows.start < rows.end {
-        if are_steep {
-            send_steep(&mut rows, (&mut left, of_left), (&mut right, of_right), runs.sink)?;
-            if rows.is_empty() {
-                break;
+    let (left, right) = (&mut left_edge.edge, &mut right_edge.edge);
+    let (of_left, of_right) = (left.steepness, right.steepness);
+    let mut sides = [&*left, &*right].map(|edge| Stepper::<SUBPIXEL_BITS>::new(edge.position(), edge.row_step()));
+    if S::EIGHTS && of_left.is_steep() && of_right.is_steep() {
+        while rows.start < rows.end {
+            send_steep(&mut rows, &mut sides, [of_left, of_right], runs.sink)?;
+            if rows.start < rows.end {
+                let [left, right] = sides.each_mut().map(Stepper::step);
+                send_cut(rows.start, (left, of_left), (right, of_right), columns, changes, runs)?;
+                rows.start += 1;
             }
         }
-        let row = rows.start;
-        let (left, right) = (left.step(), right.step());
-        if left.last < right.first {
-            send_between::<false, S>(row, (left, of_left), (right, of_right), runs)?;
-        } else {
-            send_cut(row, (left, of_left), (right, of_right), columns, changes, runs)?;
+    } else {
+        let [mut left, mut right] = sides;
+        for row in rows {
+            let (left, right) = (left.step(), right.step());
+            if left.last < right.first {
+                send_between::<false, S>(row, (left, of_left), (right, of_right), runs)?;
+            } else {
+                send_cut(row, (left, of_left), (right, of_right), columns, changes, runs)?;
+            }
         }
-        rows.start += 1;
     }
-    left_edge.edge.go_to_row(row, left.position());
-    right_edge.edge.go_to_row(row, right.position());
+    for edge in [left, right] {
+        edge.go_to_row(row, edge.at_row(row));
+    }
     Ok(())
 }
 
