@@ -94,7 +94,7 @@ pub(super) fn send_between<const STEEP: bool, S: CoverageSink>(
 ///
 /// Nothing else can reach a sink that is an argument of its own: what it needs of a colour is worked out once for all rows.
 #[inline(never)]
-pub(crate) fn send_steep<const BELOW: u32, S: CoverageSink>(
+pub(crate) fn send_while_apart<const STEEP: bool, const BELOW: u32, S: CoverageSink>(
     rows: &mut Range<i32>,
     sides: &mut [Stepper<BELOW>; 2],
     steepness: [Steepness; 2],
@@ -106,7 +106,7 @@ pub(crate) fn send_steep<const BELOW: u32, S: CoverageSink>(
         if in_left.last >= in_right.first {
             break;
         }
-        send_between::<true, S>(row, (in_left, of_left), (in_right, of_right), sink)?;
+        send_between::<STEEP, S>(row, (in_left, of_left), (in_right, of_right), sink)?;
         left.step();
         right.step();
         rows.start = row + 1;

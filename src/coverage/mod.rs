@@ -24,7 +24,7 @@ pub(crate) use cells::Cells;
 pub(crate) use chain::WideChain;
 pub(crate) use circle_rows::NearCircle;
 pub(crate) use convex::{Side, send};
-pub(crate) use eights::send_steep;
+pub(crate) use eights::send_while_apart;
 pub(crate) use few::{Changes, NEAR};
 pub(crate) use ramp::{Extent, FULL, Ramp, column_of, height_in, height_of};
 pub(crate) use runs::Runs;

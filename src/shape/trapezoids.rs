@@ -12,7 +12,7 @@
 use core::ops::Range;
 
 use crate::{
-    coverage::{Changes, CoverageSink, Runs, Slope, Stepper, send_between, send_cut, send_steep},
+    coverage::{Changes, CoverageSink, Runs, Slope, Stepper, send_between, send_cut, send_while_apart},
     limits::SUBPIXEL_BITS,
     shape::{
         active::CoverageEdge,
@@ -66,25 +66,24 @@ pub(super) fn send_up_to<S: CoverageSink>(
     let (left, right) = (&mut left_edge.edge, &mut right_edge.edge);
     let (of_left, of_right) = (left.steepness, right.steepness);
     let mut sides = [&*left, &*right].map(|edge| Stepper::<SUBPIXEL_BITS>::new(edge.position(), edge.row_step()));
-    if S::EIGHTS && of_left.is_steep() && of_right.is_steep() {
-        while rows.start < rows.end {
-            send_steep(&mut rows, &mut sides, [of_left, of_right], runs.sink)?;
-            if rows.start < rows.end {
-                let [left, right] = sides.each_mut().map(Stepper::step);
-                send_cut(rows.start, (left, of_left), (right, of_right), columns, changes, runs)?;
-                rows.start += 1;
-            }
-        }
-    } else {
-        let [mut left, mut right] = sides;
-        for row in rows {
-            let (left, right) = (left.step(), right.step());
-            if left.last < right.first {
-                send_between::<false, S>(row, (left, of_left), (right, of_right), runs)?;
+    while rows.start < rows.end {
+        if S::EIGHTS {
+            if of_left.is_steep() && of_right.is_steep() {
+                send_while_apart::<true, SUBPIXEL_BITS, S>(&mut rows, &mut sides, [of_left, of_right], runs.sink)?;
             } else {
-                send_cut(row, (left, of_left), (right, of_right), columns, changes, runs)?;
+                send_while_apart::<false, SUBPIXEL_BITS, S>(&mut rows, &mut sides, [of_left, of_right], runs.sink)?;
+            }
+            if rows.is_empty() {
+                break;
             }
         }
+        let [left, right] = sides.each_mut().map(Stepper::step);
+        if !S::EIGHTS && left.last < right.first {
+            send_between::<false, S>(rows.start, (left, of_left), (right, of_right), runs)?;
+        } else {
+            send_cut(rows.start, (left, of_left), (right, of_right), columns, changes, runs)?;
+        }
+        rows.start += 1;
     }
     for edge in [left, right] {
         edge.go_to_row(row, edge.at_row(row));
