@@ -81,7 +81,7 @@ impl Cluster {
 
 impl Clusters {
     /// Finds those of a row, if all other edges are apart from them and from each other, inside of the clip, and each has slots
-    /// of its own.
+    /// of its own. `are_apart`: edges that do not start or end there are known to be apart from each other.
     pub(super) fn find(
         &mut self,
         table: &mut Table<'_, '_, Slope>,
@@ -89,6 +89,7 @@ impl Clusters {
         row: i32,
         event: i32,
         columns: &Range<i32>,
+        are_apart: bool,
     ) -> Option<()> {
         self.list.clear();
         self.started = 0;
@@ -96,7 +97,11 @@ impl Clusters {
             self.find_ended(table, row)?;
             self.find_started(table, fill_rule, row)?;
         }
-        self.find_whole(table.active_mut(), row, columns)?;
+        if are_apart {
+            self.are_beside_none(table.active_mut(), row, columns)?;
+        } else {
+            self.find_whole(table.active_mut(), row, columns)?;
+        }
         self.list.iter().all(|cluster| cluster.last - cluster.first < NEAR).then_some(())
     }
 
@@ -199,6 +204,29 @@ impl Clusters {
             place -= 1;
         }
         Some(())
+    }
+
+    /// Whether they share no column with the edges beside them, nor with each other.
+    fn are_beside_none(&self, edges: &[CoverageEdge], row: i32, columns: &Range<i32>) -> Option<()> {
+        let mut last = columns.start.saturating_sub(1);
+        let mut place = 0;
+        let mut rest = self.list.as_slice();
+        while let [cluster, others @ ..] = rest {
+            rest = others;
+            if cluster.start > place {
+                last = column_of(edges.get(cluster.start - 1)?.edge.ends(row).1);
+            }
+            if cluster.first <= last {
+                return None;
+            }
+            (last, place) = (cluster.last, cluster.end);
+            if others.first().is_none_or(|next| next.start > place)
+                && edges.get(place).is_some_and(|edge| column_of(edge.edge.ends(row).0) <= last)
+            {
+                return None;
+            }
+        }
+        (last < columns.end).then_some(())
     }
 
     /// Those that share columns, between the others.

@@ -120,10 +120,18 @@ impl<'c, 's, S: CoverageSink> Strip<'c, 's, S> {
         set_all_sent_to(row, table.active_mut());
         while !table.is_idle() {
             let event = table.next_event(line_of(row), end);
-            row += rows_apart(row..pixel_holding(event), table.active_mut(), columns);
+            let of_event = pixel_holding(event);
+            let mut are_apart = false;
+            if of_event > row {
+                // In the row of an event that is not at its top, too.
+                let last = pixel_holding(event - 1) + 1;
+                row += rows_apart(row..last, table.active_mut(), columns);
+                are_apart = row > of_event;
+                row = row.min(of_event);
+            }
             // The last row of all is cut where coordinates end.
             let is_whole = event != line_of(row) && row < pixel_holding(i32::MAX);
-            if !is_whole || clusters.find(table, fill_rule, row, event, columns).is_none() {
+            if !is_whole || clusters.find(table, fill_rule, row, event, columns, are_apart).is_none() {
                 break;
             }
             send_clusters(clusters, row, table, columns, changes, runs)?;

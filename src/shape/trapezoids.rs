@@ -19,6 +19,7 @@ use crate::{
         bands::{SLACK, Winding},
         outline::FillRule,
     },
+    subpixel::pixel_holding,
 };
 
 /// A pixel, in positions.
@@ -129,6 +130,8 @@ pub(super) fn alternate(edges: &[CoverageEdge], fill_rule: FillRule) -> bool {
 
 /// In how many of the rows, from the first on, trapezoids can be left alone: their two edges do not cross, they are a pixel or more
 /// from each other, and none leaves the clip.
+///
+/// Edges may end in the last row, where they are taken to go on; those of one trapezoid may cross there.
 #[inline(never)]
 pub(super) fn rows_apart(rows: Range<i32>, edges: &[CoverageEdge], columns: &Range<i32>) -> i32 {
     let count = rows.end - rows.start;
@@ -140,9 +143,11 @@ pub(super) fn rows_apart(rows: Range<i32>, edges: &[CoverageEdge], columns: &Ran
         for pair in edges.as_chunks().0 {
             let [left, right] = pair.each_ref().map(|edge| Line::new(&edge.edge, rows.start));
             let (left_below, right_below) = (left.moved_by(left.step), right.moved_by(right.step));
+            let [left_edge, right_edge] = pair;
+            let is_ending = pixel_holding(left_edge.until.min(right_edge.until)) < rows.end;
             apart = apart
                 .min(before.rows_to(left.moved_by(left.step.min(0)), width, count - 1))
-                .min(left_below.rows_to(right_below, -SLACK, count - 1));
+                .min(left_below.rows_to(right_below, -SLACK, count - 1 - i32::from(is_ending)));
             before = right.moved_by(right.step.max(0));
             width = PIXEL;
         }
