@@ -118,8 +118,11 @@ impl<'c, 's, S: CoverageSink> Strip<'c, 's, S> {
     ) -> Result<i32, S::Error> {
         let Self { columns, clusters, changes, runs, .. } = self;
         set_all_sent_to(row, table.active_mut());
+        let mut event = line_of(row);
         while !table.is_idle() {
-            let event = table.next_event(line_of(row), end);
+            if event <= line_of(row) {
+                event = table.next_event(line_of(row), end);
+            }
             let of_event = pixel_holding(event);
             let mut are_apart = false;
             if of_event > row {
@@ -130,7 +133,7 @@ impl<'c, 's, S: CoverageSink> Strip<'c, 's, S> {
                 row = row.min(of_event);
             }
             // The last row of all is cut where coordinates end.
-            let is_whole = event != line_of(row) && row < pixel_holding(i32::MAX);
+            let is_whole = row < pixel_holding(i32::MAX);
             if !is_whole || clusters.find(table, fill_rule, row, event, columns, are_apart).is_none() {
                 break;
             }
