@@ -102,7 +102,7 @@ impl<S: CoverageSink> Walk<'_, S> {
         if left.last >= right.first || !is_inside {
             return Ok(false);
         }
-        send_between::<false, S>(row, (left, chord.steepness), (right, chord.steepness), &mut self.runs)?;
+        send_between(row, (left, chord.steepness), (right, chord.steepness), &mut self.runs)?;
         Ok(true)
     }
 

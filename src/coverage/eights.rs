@@ -90,18 +90,19 @@ pub(super) fn send_between<const STEEP: bool, S: CoverageSink>(
     sink.span_with_sides(Span { row, columns: start..end }, &sides.to_le_bytes())
 }
 
-/// Sends the rows between two edges that are [steep](Steepness::is_steep), from the first on, as long as they share no columns.
+/// See `sides`. `STEEP`: both edges are [steep](Steepness::is_steep); a loop of its own needs fewer registers.
 ///
-/// Nothing else can reach a sink that is an argument of its own: what it needs of a colour is worked out once for all rows.
+/// Nothing else can reach a sink that is an argument of its own: what it makes of its colour is worked out once for all rows.
 #[inline(never)]
-pub(crate) fn send_while_apart<const STEEP: bool, const BELOW: u32, S: CoverageSink>(
-    rows: &mut Range<i32>,
+pub(super) fn send_while_apart<const STEEP: bool, const BELOW: u32, S: CoverageSink>(
+    rows: Range<i32>,
     sides: &mut [Stepper<BELOW>; 2],
     steepness: [Steepness; 2],
     sink: &mut S,
-) -> Result<(), S::Error> {
+) -> Result<i32, S::Error> {
     let ([mut left, mut right], [of_left, of_right]) = (*sides, steepness);
-    for row in rows.clone() {
+    let mut row = rows.start;
+    while row < rows.end {
         let [in_left, in_right] = [left.extent(), right.extent()];
         if in_left.last >= in_right.first {
             break;
@@ -109,10 +110,10 @@ pub(crate) fn send_while_apart<const STEEP: bool, const BELOW: u32, S: CoverageS
         send_between::<STEEP, S>(row, (in_left, of_left), (in_right, of_right), sink)?;
         left.step();
         right.step();
-        rows.start = row + 1;
+        row += 1;
     }
     *sides = [left, right];
-    Ok(())
+    Ok(row)
 }
 
 /// A word `(word << bits) | ((1 << bits) - 1)`: what a right edge takes of its pixels, after some of the inside.

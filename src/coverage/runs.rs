@@ -13,7 +13,7 @@ pub(super) const SPAN: i32 = 4;
 /// Takes the coverage of a row, columns to the right, and sends runs and spans.
 #[derive(Debug)]
 pub(crate) struct Runs<'s, S> {
-    pub(crate) sink: &'s mut S,
+    pub(super) sink: &'s mut S,
     row: i32,
     /// Where the open run starts.
     first: i32,

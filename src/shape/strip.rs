@@ -185,7 +185,7 @@ fn send_pairs<S: CoverageSink>(
         let side = (Extent::between(from, to), edge.edge.steepness);
         match (sign, left.take()) {
             (1, _) => left = Some(side),
-            (-1, Some(left)) => send_between::<false, S>(row, left, side, runs)?,
+            (-1, Some(left)) => send_between(row, left, side, runs)?,
             (_, kept) => left = kept,
         }
     }

@@ -12,7 +12,7 @@
 use core::ops::Range;
 
 use crate::{
-    coverage::{Changes, CoverageSink, Runs, Slope, Stepper, send_between, send_cut, send_while_apart},
+    coverage::{Changes, CoverageSink, Runs, Slope, Stepper, send_cut, send_while_apart},
     limits::SUBPIXEL_BITS,
     shape::{
         active::CoverageEdge,
@@ -51,43 +51,41 @@ impl Slope {
 }
 
 /// Sends a trapezoid, from the row that it has been sent up to.
-#[inline(never)]
+#[inline(always)]
 pub(super) fn send_up_to<S: CoverageSink>(
     row: i32,
-    left_edge: &mut CoverageEdge,
-    right_edge: &mut CoverageEdge,
+    left: &mut CoverageEdge,
+    right: &mut CoverageEdge,
     columns: &Range<i32>,
     changes: &mut Changes,
     runs: &mut Runs<'_, S>,
 ) -> Result<(), S::Error> {
-    let mut rows = left_edge.edge.sent_to..row;
-    if rows.is_empty() {
-        return Ok(());
-    }
-    let (left, right) = (&mut left_edge.edge, &mut right_edge.edge);
+    let rows = left.edge.sent_to..row;
+    if rows.is_empty() { Ok(()) } else { send_rows(rows, &mut left.edge, &mut right.edge, columns, changes, runs) }
+}
+
+#[inline(never)]
+fn send_rows<S: CoverageSink>(
+    mut rows: Range<i32>,
+    left: &mut Slope,
+    right: &mut Slope,
+    columns: &Range<i32>,
+    changes: &mut Changes,
+    runs: &mut Runs<'_, S>,
+) -> Result<(), S::Error> {
+    let end = rows.end;
     let (of_left, of_right) = (left.steepness, right.steepness);
     let mut sides = [&*left, &*right].map(|edge| Stepper::<SUBPIXEL_BITS>::new(edge.position(), edge.row_step()));
     while rows.start < rows.end {
-        if S::EIGHTS {
-            if of_left.is_steep() && of_right.is_steep() {
-                send_while_apart::<true, SUBPIXEL_BITS, S>(&mut rows, &mut sides, [of_left, of_right], runs.sink)?;
-            } else {
-                send_while_apart::<false, SUBPIXEL_BITS, S>(&mut rows, &mut sides, [of_left, of_right], runs.sink)?;
-            }
-            if rows.is_empty() {
-                break;
-            }
-        }
-        let [left, right] = sides.each_mut().map(Stepper::step);
-        if !S::EIGHTS && left.last < right.first {
-            send_between::<false, S>(rows.start, (left, of_left), (right, of_right), runs)?;
-        } else {
+        rows.start = send_while_apart(rows.clone(), &mut sides, [of_left, of_right], runs)?;
+        if rows.start < rows.end {
+            let [left, right] = sides.each_mut().map(Stepper::step);
             send_cut(rows.start, (left, of_left), (right, of_right), columns, changes, runs)?;
+            rows.start += 1;
         }
-        rows.start += 1;
     }
     for edge in [left, right] {
-        edge.go_to_row(row, edge.at_row(row));
+        edge.go_to_row(end, edge.at_row(end));
     }
     Ok(())
 }

@@ -35,7 +35,7 @@ pub(super) fn send_rows<const BITS: u32, S: CoverageSink>(
     for row in rows {
         let (of_left, of_right) = (left.step(), right.step());
         if of_left.last < of_right.first && (!is_checked || (of_left.first >= start && of_right.last < end)) {
-            send_between::<false, S>(row, (of_left, left_rise), (of_right, right_rise), runs)?;
+            send_between(row, (of_left, left_rise), (of_right, right_rise), runs)?;
         } else {
             send_cut(row, (of_left, left_rise), (of_right, right_rise), columns, changes, runs)?;
         }
