@@ -146,6 +146,9 @@ pub(super) fn rows_apart(rows: Range<i32>, edges: &[CoverageEdge], columns: &Ran
             apart = apart
                 .min(before.rows_to(left.moved_by(left.step.min(0)), width, count - 1))
                 .min(left_below.rows_to(right_below, -SLACK, count - 1 - i32::from(is_ending)));
+            if apart == 0 {
+                break;
+            }
             before = right.moved_by(right.step.max(0));
             width = PIXEL;
         }
