@@ -80,13 +80,11 @@ pub(super) fn send_between<const STEEP: bool, S: CoverageSink>(
         let inside = send_left(row, left.0, left.1, right.0.first, sink)?;
         return send_right(row, right.0, right.1, inside, sink);
     };
-    let width = end - start;
-    let before = 8 * (right.0.first - (end - width.min(EIGHT))).cast_unsigned();
-    let of_right = after_inside(right_word, before);
-    if width <= EIGHT {
-        return sink.eights(row, start, &[(left_word & of_right).to_le_bytes()]);
+    let right_from = |column: i32| after_inside(right_word, 8 * (right.0.first - column).cast_unsigned());
+    if end - start <= EIGHT {
+        return sink.eights(row, start, &[(left_word & right_from(start)).to_le_bytes()]);
     }
-    let sides = (left_word & u64::from(u32::MAX)) | (of_right & !u64::from(u32::MAX));
+    let sides = (left_word & u64::from(u32::MAX)) | (right_from(end - EIGHT) & !u64::from(u32::MAX));
     sink.span_with_sides(Span { row, columns: start..end }, &sides.to_le_bytes())
 }
 
