@@ -1,7 +1,7 @@
 //! Eight columns at once, for sinks that take them as fast as two or three.
 //!
 //! How many columns an edge crosses changes from row to row, and no processor foresees it. So nothing here depends on it
-//! that is not the same for most rows of an edge: up to three columns are worked out by selecting, not by jumping, and eight
+//! that is not the same for most rows of an edge: up to four columns are worked out by selecting, not by jumping, and eight
 //! are sent whatever they are. With four columns on either side, the row of a shape is one call:
 //!
 //! ```text
@@ -24,7 +24,7 @@ use crate::{
 /// How many columns are sent at once.
 pub(super) const EIGHT: i32 = 8;
 
-/// So many columns are worked out without a jump; and one more is sent on either side of a span.
+/// So many columns are worked out without a jump, and sent on either side of a span.
 const FEW: i32 = 4;
 
 impl Ramp {
@@ -68,24 +68,37 @@ pub(super) fn send_between<const STEEP: bool, S: CoverageSink>(
     let (left_word, right_word) = if STEEP || (left.1.is_steep() && right.1.is_steep()) {
         (two::<false>(left.0, left.1), two::<true>(right.0, right.1))
     } else if left.0.last - start < FEW && end - right.0.first <= FEW {
-        let of_left =
-            if left.1.is_steep() { two::<false>(left.0, left.1) } else { Ramp::new_few(left.0, left.1).few::<false>() };
-        let of_right = if right.1.is_steep() {
-            two::<true>(right.0, right.1)
-        } else {
-            Ramp::new_few(right.0, right.1).few::<true>()
-        };
-        (of_left, of_right)
+        (few::<false>(left.0, left.1), few::<true>(right.0, right.1))
     } else {
-        let inside = send_left(row, left.0, left.1, right.0.first, sink)?;
-        return send_right(row, right.0, right.1, inside, sink);
+        return send_wide(row, left, right, sink);
     };
-    let right_from = |column: i32| after_inside(right_word, 8 * (right.0.first - column).cast_unsigned());
+    let right_from = |column: i32| after_inside(right_word, right.0.first - column);
     if end - start <= EIGHT {
         return sink.eights(row, start, &[(left_word & right_from(start)).to_le_bytes()]);
     }
     let sides = (left_word & u64::from(u32::MAX)) | (right_from(end - EIGHT) & !u64::from(u32::MAX));
     sink.span_with_sides(Span { row, columns: start..end }, &sides.to_le_bytes())
+}
+
+/// The same with an eight or more on either side.
+#[inline(always)]
+fn send_wide<S: CoverageSink>(
+    row: i32,
+    left: (Extent, Steepness),
+    right: (Extent, Steepness),
+    sink: &mut S,
+) -> Result<(), S::Error> {
+    let (start, end) = (left.0.first, right.0.last + 1);
+    let are_eights = left.0.last - start < EIGHT && end - right.0.first <= EIGHT && end - start >= 2 * EIGHT;
+    if !are_eights {
+        let inside = send_left(row, left.0, left.1, right.0.first, sink)?;
+        return send_right(row, right.0, right.1, inside, sink);
+    }
+    let inside = start + EIGHT..end - EIGHT;
+    let (left_word, right_word) = (eight::<false>(left.0, left.1), eight::<true>(right.0, right.1));
+    sink.eights(row, start, &[left_word.to_le_bytes()])?;
+    sink.eights(row, inside.end, &[after_inside(right_word, right.0.first - inside.end).to_le_bytes()])?;
+    if inside.start < inside.end { sink.span(Span { row, columns: inside }, 255) } else { Ok(()) }
 }
 
 /// See `sides`. `STEEP`: both edges are [steep](Steepness::is_steep); a loop of its own needs fewer registers.
@@ -114,10 +127,10 @@ pub(super) fn send_while_apart<const STEEP: bool, const BELOW: u32, S: CoverageS
     Ok(row)
 }
 
-/// A word `(word << bits) | ((1 << bits) - 1)`: what a right edge takes of its pixels, after some of the inside.
+/// A word of what a right edge takes of its pixels, after so many of the inside: `(word << bits) | ((1 << bits) - 1)`.
 #[inline(always)]
-fn after_inside(word: u64, bits: u32) -> u64 {
-    (word.wrapping_add(1) << bits).wrapping_sub(1)
+fn after_inside(word: u64, columns: i32) -> u64 {
+    (word.wrapping_add(1) << (8 * columns.cast_unsigned())).wrapping_sub(1)
 }
 
 /// As [`Ramp::few`], of an edge that crosses at most a pixel in a row, and so at most two columns.
@@ -129,14 +142,29 @@ fn two<const IS_RIGHT: bool>(extent: Extent, steepness: Steepness) -> u64 {
     if IS_RIGHT { word } else { word | (u64::MAX << 16) }
 }
 
-/// The coverage of an edge that crosses at most three columns.
+/// The same of an edge that crosses at most four columns.
 #[inline(always)]
-fn narrow<const IS_RIGHT: bool>(extent: Extent, steepness: Steepness) -> Option<u64> {
+fn few<const IS_RIGHT: bool>(extent: Extent, steepness: Steepness) -> u64 {
     if steepness.is_steep() {
-        Some(two::<IS_RIGHT>(extent, steepness))
+        two::<IS_RIGHT>(extent, steepness)
     } else {
-        (extent.last - extent.first < FEW).then(|| Ramp::new_few(extent, steepness).few::<IS_RIGHT>())
+        Ramp::new_few(extent, steepness).few::<IS_RIGHT>()
     }
+}
+
+/// The same of an edge that crosses at most eight columns.
+#[inline(never)]
+fn eight<const IS_RIGHT: bool>(extent: Extent, steepness: Steepness) -> u64 {
+    let across = extent.last - extent.first;
+    if across < FEW {
+        return few::<IS_RIGHT>(extent, steepness);
+    }
+    let ramp = Ramp::new(extent, FULL, steepness);
+    let covered = |area: u32| u64::from(coverage_beside::<IS_RIGHT>(area));
+    let word = (ramp.eight_between::<IS_RIGHT>(ramp.first) & !0xFF) | covered(ramp.first_area);
+    let at_last = 8 * across.cast_unsigned();
+    let after = if IS_RIGHT { 0 } else { !0xFF };
+    (word & ((1 << at_last) - 1)) | ((covered(ramp.last_area) | after) << at_last)
 }
 
 /// Sends what an edge leaves of its pixels; after it is the inside, as far as `end`. Where that goes on is returned.
@@ -153,8 +181,8 @@ pub(super) fn send_left<S: CoverageSink>(
         let excess = (column + EIGHT - end).max(0).cast_unsigned();
         (word & (u64::MAX >> (8 * excess))).to_le_bytes()
     };
-    if let Some(word) = narrow::<false>(extent, steepness) {
-        sink.eights(row, first, &[masked(first, word)])?;
+    if last - first < EIGHT {
+        sink.eights(row, first, &[masked(first, eight::<false>(extent, steepness))])?;
         return Ok(end.min(first + EIGHT));
     }
     let ramp = Ramp::new(extent, FULL, steepness);
@@ -188,9 +216,9 @@ pub(super) fn send_right<S: CoverageSink>(
     if inside < column {
         sink.span(Span { row, columns: inside..column }, 255)?;
     }
-    if let Some(word) = narrow::<true>(extent, steepness) {
-        let before = 8 * (first - column).cast_unsigned();
-        return sink.eights(row, column, &[after_inside(word, before).to_le_bytes()]);
+    if across < EIGHT {
+        let word = after_inside(eight::<true>(extent, steepness), first - column);
+        return sink.eights(row, column, &[word.to_le_bytes()]);
     }
     let ramp = Ramp::new(extent, FULL, steepness);
     let covered = |area: u32| u64::from(coverage_beside::<true>(area));

@@ -84,7 +84,14 @@ pub trait CoverageSink {
     /// Whatever the sink cannot do; the shape stops at once.
     #[inline]
     fn span_with_sides(&mut self, span: Span, sides: &[u8; 8]) -> Result<(), Self::Error> {
-        send_apart(self, span, sides)
+        let [a, b, c, d, e, f, g, h] = *sides;
+        let Span { row, columns } = span;
+        let inside = columns.start.wrapping_add(4)..columns.end.wrapping_sub(4);
+        self.eights(row, columns.start, &[[a, b, c, d, 0, 0, 0, 0]])?;
+        if inside.start < inside.end {
+            self.span(Span { row, columns: inside.clone() }, 255)?;
+        }
+        self.eights(row, inside.end, &[[e, f, g, h, 0, 0, 0, 0]])
     }
 
     /// Takes eight pixels of `row` for each of `coverage`, of which there is at least one, from `column` on. Those of coverage 0
@@ -113,16 +120,4 @@ pub trait CoverageSink {
         }
         Ok(())
     }
-}
-
-/// Sends a span with sides as two eights and a span.
-pub(crate) fn send_apart<S: CoverageSink + ?Sized>(sink: &mut S, span: Span, sides: &[u8; 8]) -> Result<(), S::Error> {
-    let [a, b, c, d, e, f, g, h] = *sides;
-    let Span { row, columns } = span;
-    let inside = columns.start.wrapping_add(4)..columns.end.wrapping_sub(4);
-    sink.eights(row, columns.start, &[[a, b, c, d, 0, 0, 0, 0]])?;
-    if inside.start < inside.end {
-        sink.span(Span { row, columns: inside.clone() }, 255)?;
-    }
-    sink.eights(row, inside.end, &[[e, f, g, h, 0, 0, 0, 0]])
 }

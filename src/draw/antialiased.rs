@@ -11,7 +11,7 @@ use embedded_graphics_core::{
 use crate::{
     PixelRect,
     blend::{Blend, Dither, Linear, Mix, MixLinear, Over, PIECE, right_of},
-    coverage::{CoverageSink, send_apart},
+    coverage::CoverageSink,
     shape::Cover,
     span::Span,
 };
@@ -232,6 +232,27 @@ fn eights_faded<D: DrawTarget, B: Blend<D>>(
     Ok(())
 }
 
+/// The same for a span of at least eight pixels, and what is covered of the first four and the last four.
+#[inline(never)]
+fn sides_faded<D: DrawTarget, B: Blend<D>>(
+    blend: B,
+    target: &mut D,
+    start: Point,
+    width: u32,
+    colour: D::Color,
+    sides: &[u8; 8],
+    opacity: u8,
+) -> Result<(), D::Error> {
+    let [a, b, c, d, e, f, g, h] = sides.map(|coverage| faded(coverage, opacity));
+    let inside = right_of(start, 4);
+    let after = Point::new(inside.x.wrapping_add_unsigned(width.saturating_sub(8)), start.y);
+    blend.eights(target, start, colour, &[[a, b, c, d, 0, 0, 0, 0]])?;
+    if width > 8 {
+        blend.span(target, inside, width - 8, colour, opacity)?;
+    }
+    blend.eights(target, after, colour, &[[e, f, g, h, 0, 0, 0, 0]])
+}
+
 /// A span that is let through, or covered in part.
 #[inline(never)]
 fn span_faded<D: DrawTarget, B: Blend<D>>(
@@ -275,12 +296,14 @@ impl<D: DrawTarget, B: Blend<D>> CoverageSink for BlendedFill<'_, D, B> {
 
     #[inline(always)]
     fn span_with_sides(&mut self, span: Span, sides: &[u8; 8]) -> Result<(), D::Error> {
-        if self.opacity < 255 {
-            return send_apart(self, span, sides);
-        }
+        let Self { ref mut target, blend, colour, opacity } = *self;
         let Span { row, columns } = span;
+        let start = Point::new(columns.start, row);
         let width = columns.end.wrapping_sub(columns.start).cast_unsigned();
-        self.blend.span_with_sides(self.target, Point::new(columns.start, row), width, self.colour, sides)
+        if opacity < 255 {
+            return sides_faded(blend, *target, start, width, colour, sides, opacity);
+        }
+        blend.span_with_sides(target, start, width, colour, sides)
     }
 
     #[inline]
