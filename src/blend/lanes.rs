@@ -67,6 +67,18 @@ pub(super) fn mix_eight<C: Copy>(backdrops: &mut [C; 8], alphas: &[u8; 8], mix: 
     }
 }
 
+/// The same for a caller that it becomes part of.
+///
+/// To see what is done to all eight, the compiler has to find the alphas in memory, one by one, where it otherwise takes the word apart
+/// that they were; and the colours read before any is written, as it does not know that nobody else reads them.
+#[inline(always)]
+pub(super) fn mix_eight_here<C: Copy>(backdrops: &mut [C; 8], alphas: &[u8; 8], mix: impl Fn(C, u8) -> C) {
+    let alphas = black_box(alphas);
+    let mut eight = *backdrops;
+    mix_eight(&mut eight, alphas, mix);
+    *backdrops = eight;
+}
+
 /// The same in a row of eights.
 #[inline(always)]
 pub(super) fn mix_eights<C: Copy>(backdrops: &mut [[C; 8]], alphas: &[[u8; 8]], mix: impl Fn(C, u8) -> C) {

@@ -5,7 +5,7 @@ use embedded_graphics_core::pixelcolor::{
     Rgb888, raw::RawData,
 };
 
-use crate::blend::lanes::{grey_lane, mix_eight, mix_eights, narrow_lane, wide_lane};
+use crate::blend::lanes::{grey_lane, mix_eight, mix_eight_here, mix_eights, narrow_lane, wide_lane};
 
 /// A colour that can be mixed with another: every colour of embedded-graphics, and others by implementing it.
 ///
@@ -120,7 +120,7 @@ fn mix_three_at_once<const LOW: u32, const MIDDLE: u32, const HIGH: u32>(top: u6
 }
 
 macro_rules! impl_mix {
-    ($mix:expr, $mix_lane:expr => $($colour:ident)+) => {
+    ($mix:expr, $mix_lane:expr, $over_eight:tt => $($colour:ident)+) => {
         $(impl Mix for $colour {
             #[inline]
             fn over(self, backdrop: Self, alpha: u8) -> Self {
@@ -128,14 +128,7 @@ macro_rules! impl_mix {
                 <Self as PixelColor>::Raw::from_u32(mixed).into()
             }
 
-            /// Out of line, the compiler sees a loop of eight, and does it at once.
-            #[inline(always)]
-            fn over_eight(self, backdrops: &mut [Self; 8], alphas: &[u8; 8]) {
-                let alphas = core::hint::black_box(alphas);
-                let mut eight = *backdrops;
-                mix_eight(&mut eight, alphas, |backdrop, alpha| $mix_lane(self, backdrop, alpha));
-                *backdrops = eight;
-            }
+            over_eight!($over_eight, $mix_lane);
 
             #[inline(never)]
             fn over_eights(self, backdrops: &mut [[Self; 8]], alphas: &[[u8; 8]]) {
@@ -145,11 +138,28 @@ macro_rules! impl_mix {
     };
 }
 
-impl_mix!(mix_one, grey_lane::<_, 8, 0, 0> => Gray2 Gray4 Gray8);
-impl_mix!(mix_three::<5, 5, 5>, narrow_lane::<_, 5, 5, 5> => Rgb555 Bgr555);
-impl_mix!(mix_three::<5, 6, 5>, narrow_lane::<_, 5, 6, 5> => Rgb565 Bgr565);
-impl_mix!(mix_three::<6, 6, 6>, wide_lane::<_, 6, 6, 6> => Rgb666 Bgr666);
-impl_mix!(mix_three::<8, 8, 8>, wide_lane::<_, 8, 8, 8> => Rgb888 Bgr888);
+macro_rules! over_eight {
+    // Eight narrow ones are mixed where they are, with what is needed of the colour worked out before the loop around it.
+    (here, $mix_lane:expr) => {
+        #[inline(always)]
+        fn over_eight(self, backdrops: &mut [Self; 8], alphas: &[u8; 8]) {
+            mix_eight_here(backdrops, alphas, |backdrop, alpha| $mix_lane(self, backdrop, alpha));
+        }
+    };
+    // Of the others, the compiler makes vectors in a function of their own only.
+    (apart, $mix_lane:expr) => {
+        #[inline(never)]
+        fn over_eight(self, backdrops: &mut [Self; 8], alphas: &[u8; 8]) {
+            mix_eight(backdrops, alphas, |backdrop, alpha| $mix_lane(self, backdrop, alpha));
+        }
+    };
+}
+
+impl_mix!(mix_one, grey_lane::<_, 8, 0, 0>, apart => Gray2 Gray4 Gray8);
+impl_mix!(mix_three::<5, 5, 5>, narrow_lane::<_, 5, 5, 5>, here => Rgb555 Bgr555);
+impl_mix!(mix_three::<5, 6, 5>, narrow_lane::<_, 5, 6, 5>, here => Rgb565 Bgr565);
+impl_mix!(mix_three::<6, 6, 6>, wide_lane::<_, 6, 6, 6>, apart => Rgb666 Bgr666);
+impl_mix!(mix_three::<8, 8, 8>, wide_lane::<_, 8, 8, 8>, apart => Rgb888 Bgr888);
 
 impl Mix for BinaryColor {
     #[inline]
