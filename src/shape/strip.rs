@@ -126,9 +126,7 @@ impl<'c, 's, S: CoverageSink> Strip<'c, 's, S> {
             let of_event = pixel_holding(event);
             let mut are_apart = false;
             if of_event > row {
-                // In the row of an event that is not at its top, too.
-                let last = pixel_holding(event - 1) + 1;
-                row += rows_apart(row..last, table.active_mut(), columns);
+                row += rows_apart(row..of_event + 1, table.active_mut(), columns);
                 are_apart = row > of_event;
                 row = row.min(of_event);
             }

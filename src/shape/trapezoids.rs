@@ -129,7 +129,8 @@ pub(super) fn alternate(edges: &[CoverageEdge], fill_rule: FillRule) -> bool {
 /// In how many of the rows, from the first on, trapezoids can be left alone: their two edges do not cross, they are a pixel or more
 /// from each other, and none leaves the clip.
 ///
-/// Edges may end in the last row, where they are taken to go on; those of one trapezoid may cross there.
+/// Edges may end in the last row, at its top or below, where they are taken to go on; those of one trapezoid may cross there. All cross
+/// the rows above it, so going on by another row is not far.
 #[inline(never)]
 pub(super) fn rows_apart(rows: Range<i32>, edges: &[CoverageEdge], columns: &Range<i32>) -> i32 {
     let count = rows.end - rows.start;
