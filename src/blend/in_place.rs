@@ -104,7 +104,7 @@ impl<C: Mix, D: PixelRows<Color = C>> Blend<D> for InPlace {
         {
             let mut eight = [*a, *b, *c, *d, *e, *f, *g, *h];
             fill_eights(row, colour);
-            colour.over_eight(black_box(&mut eight), sides);
+            mix_sides(&mut eight, colour, sides);
             if let [a, b, c, d, .., e, f, g, h] = row {
                 [*a, *b, *c, *d, *e, *f, *g, *h] = eight;
             }
@@ -117,6 +117,12 @@ impl<C: Mix, D: PixelRows<Color = C>> Blend<D> for InPlace {
         Self::fill_row(target, start, width, colour);
         Ok(())
     }
+}
+
+/// Both sides of a span, which are not next to each other: out of line, or the compiler mixes them in two registers, half full.
+#[inline(never)]
+fn mix_sides<C: Mix>(backdrops: &mut [C; 8], colour: C, alphas: &[u8; 8]) {
+    colour.over_eight(backdrops, alphas);
 }
 
 #[inline(always)]
