@@ -16,7 +16,7 @@ use crate::{
     coverage::{
         CoverageSink, Stepper,
         ramp::{Extent, FULL, Ramp, coverage_beside},
-        slope::Steepness,
+        steepness::Steepness,
     },
     span::Span,
 };

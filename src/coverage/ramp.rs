@@ -11,7 +11,7 @@
 //! right end count. Areas and heights are in units of which a pixel has 255 * 2^22: every formula here is off by at most a
 //! few of them.
 
-use crate::coverage::slope::{Steepness, high_word};
+use crate::coverage::steepness::{Steepness, high_word};
 
 /// The area of a pixel; also its height: a 255th is 2^22.
 pub(crate) const FULL: u32 = 255 << 22;

@@ -16,7 +16,7 @@ use crate::{
         CoverageSink, eights,
         ramp::{Extent, FULL, Ramp, Steep, coverage_beside},
         runs::{RUN, Runs},
-        slope::Steepness,
+        steepness::Steepness,
         stepper::Stepper,
     },
     span::Span,

@@ -2,7 +2,8 @@
 
 use crate::coverage::{
     ramp::{Extent, Ramp, Steep, height_in},
-    slope::{Steepness, directed, high_word},
+    slope::directed,
+    steepness::{Steepness, high_word},
 };
 
 /// An edge that goes down; heights in 2^-`BITS` pixel.
