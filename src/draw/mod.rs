@@ -1,6 +1,7 @@
 //! Where shapes, colours and targets meet.
 
 mod antialiased;
+mod blended;
 mod filled;
 
 pub use antialiased::{AntiAlias, AntiAliased};
