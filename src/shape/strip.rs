@@ -130,8 +130,8 @@ impl<'c, 's, S: CoverageSink> Strip<'c, 's, S> {
                 are_apart = row > of_event;
                 row = row.min(of_event);
             }
-            // The last row of all is cut where coordinates end.
-            let is_whole = row < pixel_holding(i32::MAX);
+            // There is nothing below the clip, and the last row of all is cut where coordinates end.
+            let is_whole = row < pixel_holding(end);
             if !is_whole || clusters.find(table, fill_rule, row, event, columns, are_apart).is_none() {
                 break;
             }

@@ -144,7 +144,8 @@ impl CoverageSink for CheckedCoverage {
     }
 }
 
-/// Is sent eights; they are taken apart into runs and spans, and checked like those.
+/// Is sent eights, of which even those of nothing may only leave the clip to the right; they are taken apart into runs and spans, and
+/// checked like those.
 struct InEights(CheckedCoverage);
 
 impl CoverageSink for InEights {
@@ -158,6 +159,16 @@ impl CoverageSink for InEights {
 
     fn run(&mut self, row: i32, column: i32, coverage: &[u8]) -> Result<(), Infallible> {
         self.0.run(row, column, coverage)
+    }
+
+    fn eights(&mut self, row: i32, column: i32, coverage: &[[u8; 8]]) -> Result<(), Infallible> {
+        let PixelRect { rows, columns } = &self.0.clip;
+        assert!(
+            rows.contains(&row) && column >= columns.start,
+            "an eight in row {row}, column {column}: outside of {:?}",
+            self.0.clip
+        );
+        self.0.eights(row, column, coverage)
     }
 }
 
