@@ -25,7 +25,7 @@ use crate::{
 /// So many columns, and one more, have slots of their own.
 pub(crate) const NEAR: i32 = 15;
 
-const SLOTS: usize = NEAR as usize + 1;
+pub(super) const SLOTS: usize = NEAR as usize + 1;
 
 /// How the area changes, for both sides; all 0 between rows.
 #[derive(Debug, Default)]

@@ -12,14 +12,12 @@ use crate::{
     coverage::{
         CoverageSink,
         eights::EIGHT,
-        few::{NEAR, send_run},
+        few::{SLOTS, send_run},
         ramp::{FULL, Ramp, coverage_of},
         runs::Runs,
     },
     span::Span,
 };
-
-const SLOTS: usize = NEAR as usize + 1;
 
 /// See the module.
 #[derive(Debug)]
@@ -30,7 +28,7 @@ pub(crate) struct Sum {
 }
 
 impl Sum {
-    /// Of edges between two columns, which are less than [`NEAR`] apart.
+    /// Of edges between two columns, which are less than [`NEAR`](super::NEAR) apart.
     #[inline(always)]
     pub(crate) fn new(first: i32, last: i32) -> Self {
         Self { first, last, changes: [0; SLOTS] }

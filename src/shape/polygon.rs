@@ -46,7 +46,8 @@ use crate::{
 ///
 /// One division an edge, then an addition and a subtraction for each edge and visible row. A pass over the vertices at the start,
 /// and, when there is just scratch for the active edges, one for each row on which contours turn down; two slots for each of
-/// those save that. 32 bytes a slot. Anti-aliased, five divisions an edge, 36 bytes a slot, 4 a cell, and the whole once for each strip.
+/// those save that. 32 bytes a slot. Anti-aliased, five divisions an edge (two where words have 64 bits), 36 bytes a slot,
+/// 4 a cell, and the whole once for each strip.
 ///
 /// # Examples
 ///
