@@ -9,7 +9,7 @@
 //! Shape -clip-> Edge -one step a row-> Span, or a block of equal rows -> colour -> DrawTarget::fill_solid
 //! Cover -clip-> edges and cells -a row of pixels-> Span, run of coverage -> Blend -> fill_solid, fill_contiguous
 //!
-//! limits · subpixel · geometry · turn · edge · span, error · coverage · shape, target · blend · draw · eg
+//! limits · subpixel · geometry, fragment · turn · edge · span, error · coverage · shape, target · blend · draw · eg · methods
 //! ```
 //!
 //! A module uses only what stands to its left. Shapes know no colours and no targets: they push [`Span`]s or blocks
@@ -105,8 +105,10 @@ mod edge;
 #[cfg(feature = "embedded-graphics")]
 pub mod eg;
 mod error;
+mod fragment;
 mod geometry;
 mod limits;
+pub mod methods;
 mod shape;
 mod span;
 mod subpixel;
@@ -125,6 +127,7 @@ pub use coverage::{Cell, CoverageSink, SampleCell, Samples};
 pub use draw::{AntiAlias, AntiAliased, Fill, Filled};
 pub use error::{TooLittleScratch, TooManyEdges};
 pub use fixed::types::I24F8;
+pub use fragment::{Fragment, FragmentSink};
 pub use geometry::{PixelRect, Vertex};
 pub use shape::{
     ActiveEdge, ActiveEdges, Circle, Cover, CoverageEdge, FillRule, Line, Polygon, PolygonCoverageIn,

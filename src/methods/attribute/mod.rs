@@ -1,0 +1,6 @@
+//! The family `attribute`.
+
+use crate::methods::Method;
+
+/// The methods of this family.
+pub const METHODS: &[Method] = &[];

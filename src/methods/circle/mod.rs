@@ -1,0 +1,6 @@
+//! The family `circle`.
+
+use crate::methods::Method;
+
+/// The methods of this family.
+pub const METHODS: &[Method] = &[];

@@ -1,0 +1,6 @@
+//! The family `line`.
+
+use crate::methods::Method;
+
+/// The methods of this family.
+pub const METHODS: &[Method] = &[];

@@ -1,0 +1,6 @@
+//! The family `points`.
+
+use crate::methods::Method;
+
+/// The methods of this family.
+pub const METHODS: &[Method] = &[];

@@ -1,0 +1,6 @@
+//! The family `polygon`.
+
+use crate::methods::Method;
+
+/// The methods of this family.
+pub const METHODS: &[Method] = &[];
