@@ -9,7 +9,7 @@
 //! Shape -clip-> Edge -one step a row-> Span, or a block of equal rows -> colour -> DrawTarget::fill_solid
 //! Cover -clip-> edges and cells -a row of pixels-> Span, run of coverage -> Blend -> fill_solid, fill_contiguous
 //!
-//! limits · subpixel · geometry, fragment · turn · edge · span, error · coverage · shape, target · blend · draw · eg · methods
+//! limits · subpixel · geometry, fragment · contours · turn · edge · span, error · coverage · area · shape, target · blend · draw · eg · methods
 //! ```
 //!
 //! A module uses only what stands to its left. Shapes know no colours and no targets: they push [`Span`]s or blocks
@@ -98,7 +98,9 @@
     clippy::unwrap_used
 )]
 
+mod area;
 mod blend;
+mod contours;
 mod coverage;
 mod draw;
 mod edge;
@@ -122,6 +124,7 @@ struct Readme;
 #[cfg(test)]
 extern crate std;
 
+pub use area::CoverageEdge;
 pub use blend::{Blend, Dither, InPlace, Linear, Mix, MixLinear, Over, ReadBack};
 pub use coverage::{Cell, CoverageSink, SampleCell, Samples};
 pub use draw::{AntiAlias, AntiAliased, Fill, Filled};
@@ -130,7 +133,7 @@ pub use fixed::types::I24F8;
 pub use fragment::{Fragment, FragmentSink};
 pub use geometry::{PixelRect, Vertex};
 pub use shape::{
-    ActiveEdge, ActiveEdges, Circle, Cover, CoverageEdge, FillRule, Line, Polygon, PolygonCoverageIn,
+    ActiveEdge, ActiveEdges, Circle, Cover, FillRule, Line, Polygon, PolygonCoverageIn,
     PolygonCoverageWith, PolygonEdges, PolygonInScratch, PolygonWithCapacity, SampleEdge, Shape, SupersampledIn,
     Triangle,
 };

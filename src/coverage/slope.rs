@@ -14,7 +14,7 @@ use crate::{
 
 /// An edge on its current scan line.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Slope {
+pub(crate) struct Slope {
     /// Halves, the lower first, so that scratch has no padding.
     position: (u32, i32),
     /// How far on it is in the next row of pixels; of a wide edge, at the end of the band that it was made for.

@@ -3,11 +3,10 @@
 use core::ops::Range;
 
 use crate::{
+    contours::{Contours, Rows, edge_below, next_index},
     Vertex,
-    coverage::Slope,
     edge::Edge,
     shape::{
-        outline::{Contours, Rows, edge_below, next_index},
         waiting::Top,
     },
 };
@@ -49,27 +48,6 @@ impl Track for Edge {
     }
 }
 
-impl Track for Slope {
-    const EMPTY: Self = Self::EMPTY;
-    const ROWS: Rows = Rows::Subpixels;
-
-    #[inline]
-    fn on_row(upper: Vertex, lower: Vertex, row: i32) -> Self {
-        Self::on_line(upper, lower, row)
-    }
-
-    #[inline(always)]
-    fn is_right_of(&self, left: &Self) -> bool {
-        (self.position(), self.step()) > (left.position(), left.step())
-    }
-
-    /// Edges that cannot be are brought up to date row by row elsewhere.
-    #[inline(always)]
-    fn can_step(&self) -> bool {
-        true
-    }
-}
-
 /// Scratch for one active edge of a polygon; see [`Polygon`](crate::Polygon). 32 bytes.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct ActiveEdge<T = Edge> {
@@ -82,10 +60,7 @@ pub struct ActiveEdge<T = Edge> {
     pub(super) contour: i32,
 }
 
-/// Scratch for one active edge of an anti-aliased polygon; see [`Polygon`](crate::Polygon). 36 bytes.
-pub type CoverageEdge = ActiveEdge<Slope>;
-
-const _: () = assert!(size_of::<ActiveEdge>() == 32 && size_of::<CoverageEdge>() == 36);
+const _: () = assert!(size_of::<ActiveEdge>() == 32);
 
 impl<T: Track> ActiveEdge<T> {
     /// Unused scratch.

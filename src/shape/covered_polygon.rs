@@ -4,11 +4,13 @@ use core::{cell::Cell as Shared, fmt};
 
 use crate::{
     PixelRect, TooManyEdges,
+    area::{self, CoverageEdge, Inside, Rounded, source::Source},
+    contours::Rows,
     coverage::{Cell, CoverageSink},
     error::TooLittleScratch,
     geometry::touched,
     limits::ONE,
-    shape::{ActiveEdges, Cover, Polygon, active::CoverageEdge, outline::Rows, strip::Strip},
+    shape::{Cover, Polygon},
     span::clip_range,
 };
 
@@ -17,7 +19,7 @@ impl<'a> Polygon<'a> {
     ///
     /// As [`active_edges`](Self::active_edges), which counts rows of pixel centres, it is meant for constants.
     pub const fn coverage_edges(&self) -> usize {
-        self.contours.most_crossings(Rows::Subpixels)
+        self.contours.most_in_a_row()
     }
 
     /// An amount of scratch that is enough, and with which the vertices are looked over just once, as
@@ -77,19 +79,19 @@ impl<'a> Polygon<'a> {
         cells: &mut [Cell],
         sink: &mut S,
     ) -> Result<(), S::Error> {
-        let width = i32::try_from(cells.len()).unwrap_or(i32::MAX).max(1);
-        // No coordinate is beyond what saturates.
-        let rows = clip.rows.start.saturating_mul(ONE)..clip.rows.end.saturating_mul(ONE);
-        let mut rest = clip.columns.clone();
-        if rest.end.saturating_sub(rest.start) > width {
-            rest = clip_range(&self.touched().columns, &rest);
+        let _ = cells;
+        let touched = self.touched();
+        let (rows, columns) = (clip_range(&touched.rows, &clip.rows), clip_range(&touched.columns, &clip.columns));
+        if rows.is_empty() || columns.is_empty() {
+            return Ok(());
         }
-        while rest.start < rest.end {
-            let end = rest.start.saturating_add(width).min(rest.end);
-            Strip::new(rest.start..end, cells, sink).cover(self, &rows, edges)?;
-            rest.start = end;
-        }
-        Ok(())
+        let corner = (columns.start, rows.start);
+        let source =
+            Source::Contours { contours: self.contours, origin: (corner.0.wrapping_mul(ONE), corner.1.wrapping_mul(ONE)) };
+        let size = (columns.end - columns.start, rows.end - rows.start);
+        let mut rounded = Rounded { sink, corner, result: Ok(()) };
+        area::fill(source, Inside { mask: self.fill_rule.mask() }, size, edges, &mut rounded);
+        rounded.result
     }
 }
 
@@ -133,7 +135,7 @@ impl<const EDGES: usize, const CELLS: usize> Cover for PolygonCoverageWith<'_, E
     }
 
     fn coverage<S: CoverageSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
-        let mut edges = ActiveEdges::<EDGES, _>::new();
-        self.polygon.cover(clip, edges.as_mut_slice(), &mut [Cell::EMPTY; CELLS], sink)
+        let mut edges = [CoverageEdge::EMPTY; EDGES];
+        self.polygon.cover(clip, &mut edges, &mut [Cell::EMPTY; CELLS], sink)
     }
 }

@@ -1,35 +1,28 @@
 //! The shapes: each knows its pixels, and no colour or target.
 
 mod active;
-mod bands;
 mod circle;
-mod cluster_rows;
-mod clusters;
 mod covered_circle;
 mod covered_line;
 mod covered_polygon;
 mod covered_triangle;
-mod crossing;
 mod cut_runs;
 mod line;
-mod outline;
 mod polygon;
 mod runs;
-mod strip;
 mod supersampled;
 mod supersampled_polygon;
 mod table;
-mod trapezoids;
 mod triangle;
 mod waiting;
 mod wide_circle;
 mod wide_line;
 
-pub use active::{ActiveEdge, ActiveEdges, CoverageEdge};
+pub use active::{ActiveEdge, ActiveEdges};
 pub use circle::Circle;
 pub use covered_polygon::{PolygonCoverageIn, PolygonCoverageWith};
 pub use line::Line;
-pub use outline::FillRule;
+pub use crate::contours::FillRule;
 pub use polygon::{Polygon, PolygonInScratch, PolygonWithCapacity};
 pub use supersampled::SupersampledIn;
 pub use supersampled_polygon::{PolygonEdges, SampleEdge};

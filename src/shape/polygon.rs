@@ -3,10 +3,10 @@
 use core::{cell::Cell, fmt, ops::Range};
 
 use crate::{
+    contours::{Contours, FillRule, Rows},
     PixelRect, TooManyEdges, Vertex,
     shape::{
         ActiveEdge, ActiveEdges, Shape,
-        outline::{Contours, FillRule, Rows},
         table::Table,
     },
     span::{BlockSink, EachSpan, MergeRows, RowSink, SpanSink, clip_range},

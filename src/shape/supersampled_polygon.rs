@@ -7,6 +7,8 @@
 use core::{cell::Cell as Shared, fmt, ops::Range};
 
 use crate::{
+    contours::FillRule,
+    contours::{Rows, next_index},
     PixelRect, TooManyEdges, Vertex,
     coverage::{CoverageSink, SampleCell, Samples, Supersampler},
     edge::{Descent, Edge, divide_product},
@@ -16,8 +18,6 @@ use crate::{
     shape::{
         Polygon,
         active::{ActiveEdge, Track, contour_of},
-        bands::Winding,
-        outline::{Rows, next_index},
         supersampled::{Sampled, SupersampledIn},
         table::Table,
     },
@@ -259,5 +259,27 @@ impl Sampled for PolygonEdges<'_, '_> {
         let result = self.polygon.sample_in(samples, pixels, edges, sampler);
         self.edges.set(edges);
         result
+    }
+}
+
+/// Adds up windings from left to right.
+#[derive(Debug, Clone, Copy)]
+struct Winding {
+    number: i32,
+    /// What is left of it decides: any of it, or whether it is odd.
+    mask: i32,
+}
+
+impl Winding {
+    fn new(fill_rule: FillRule) -> Self {
+        Self { number: 0, mask: fill_rule.mask() }
+    }
+
+    /// 1 where the next edge leads inside, -1 where it leads outside, 0 where it does neither.
+    #[inline(always)]
+    fn cross(&mut self, winding: i32) -> i32 {
+        let before = self.number & self.mask != 0;
+        self.number += winding;
+        i32::from(self.number & self.mask != 0) - i32::from(before)
     }
 }

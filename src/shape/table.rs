@@ -3,10 +3,10 @@
 use core::ops::Range;
 
 use crate::{
+    contours::Contours,
     edge::Edge,
     shape::{
         active::{ActiveEdge, Track, contour_of, remade},
-        outline::Contours,
         waiting::{Top, move_up, sift_down, sift_up},
     },
 };

@@ -6,7 +6,7 @@
 
 use core::ops::Range;
 
-use crate::{Vertex, subpixel::first_centre_at_or_after};
+use crate::{Vertex, limits::SUBPIXEL_BITS, subpixel::first_centre_at_or_after};
 
 /// Which points are inside where contours overlap or nest.
 ///
@@ -138,6 +138,54 @@ impl<'a> Contours<'a> {
         most
     }
 
+    /// How many chains, runs of edges that go one way, have a part in a row of pixels.
+    const fn chains_in_row(self, row: i32) -> usize {
+        let mut chains = 0;
+        let mut index = 0;
+        while index < self.len() {
+            let contour = self.contour(index);
+            // Once around to know how the contour arrives, once more to count.
+            let (mut goes_down, mut meets) = (false, false);
+            let mut step = 0;
+            while step < 2 * contour.len() {
+                let from = vertex_at(contour, step % contour.len()).y.to_bits();
+                let to = vertex_at(contour, (step + 1) % contour.len()).y.to_bits();
+                if from != to {
+                    let (top, bottom) = if from < to { (from, to) } else { (to, from) };
+                    let meets_row = top >> SUBPIXEL_BITS <= row && (bottom - 1) >> SUBPIXEL_BITS >= row;
+                    let goes_on = meets && goes_down == (from < to);
+                    chains += (step >= contour.len() && meets_row && !goes_on) as usize;
+                    (goes_down, meets) = (from < to, meets_row);
+                }
+                step += 1;
+            }
+            index += 1;
+        }
+        chains
+    }
+
+    /// The most chains that have a part in one row of pixels. It is reached on a row where a contour turns down.
+    pub(crate) const fn most_in_a_row(self) -> usize {
+        let mut most = 0;
+        let mut index = 0;
+        while index < self.len() {
+            let mut tops = Tops::new(self.contour(index), Rows::Subpixels, i32::MIN, i32::MAX);
+            let mut last_row = None;
+            while let Some((_, y)) = tops.next() {
+                let row = y >> SUBPIXEL_BITS;
+                if !matches!(last_row, Some(last) if last == row) {
+                    last_row = Some(row);
+                    let chains = self.chains_in_row(row);
+                    if chains > most {
+                        most = chains;
+                    }
+                }
+            }
+            index += 1;
+        }
+        most
+    }
+
     /// Two edges leave every top: as many as could ever be active at once.
     pub(crate) const fn chains(self, kind: Rows) -> usize {
         let mut chains = 0;
@@ -228,7 +276,7 @@ impl<'a> Tops<'a> {
 
 /// The vertex after `index`, or before it, around the contour.
 #[inline]
-pub(crate) fn next_index(contour: &[Vertex], index: u32, is_forward: bool) -> u32 {
+pub(crate) fn next_index<T>(contour: &[T], index: u32, is_forward: bool) -> u32 {
     let last = u32::try_from(contour.len().saturating_sub(1)).unwrap_or(u32::MAX);
     if is_forward {
         if index < last { index + 1 } else { 0 }

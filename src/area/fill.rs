@@ -1,0 +1,288 @@
+//! Exact areas of an outline, row by row of pixels: what of each pixel is inside by the fill rule.
+//!
+//! A chain has a weight in a row: what the fill rule says of the winding to its right, less what it says of the winding to
+//! its left, so 1, 0 or -1. Each chain's signed areas are added with its weight, in whatever order. The sum is the exact
+//! area by either rule, under any overlap, as long as the winding to the left is known: chains are in order from left to
+//! right, by their least columns. Chains whose extents overlap are compared where they share heights ([`order`]); those
+//! that cross within the row are swept from height to height ([`sweep`]).
+//!
+//! ```text
+//!      0   \ 1   / 0        extents of one row:    |--|    |---|         apart: the order is known
+//!           \   /                                  |----|                overlapping: compared
+//!            \ /                                      |----|
+//! ```
+
+use crate::area::{
+    accumulator::{Accumulator, FULL, WINDOW},
+    chain::CoverageEdge,
+    order,
+    source::{FINE_BITS, FINE_ONE, Source},
+    sweep,
+    table::Table,
+    winding::Winding,
+};
+
+/// Receives the areas of a row of pixels, in 2^-24 pixel, from left to right.
+///
+/// What is covered is less than 2^-9 pixel off the range from nothing to all.
+pub(crate) trait AreaSink {
+    /// Columns that are covered alike; `false` ends the walk.
+    fn span(&mut self, row: i32, columns: core::ops::Range<i32>, area: i32) -> bool;
+
+    /// Columns one by one; `false` ends the walk.
+    fn run(&mut self, row: i32, column: i32, areas: &[i32]) -> bool;
+}
+
+/// What of an outline is inside.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Inside {
+    /// Of the winding: any bit of it, or the lowest.
+    pub(crate) mask: i32,
+}
+
+impl Inside {
+    #[inline(always)]
+    pub(super) fn of(self, winding: i32) -> i32 {
+        i32::from(winding & self.mask != 0)
+    }
+
+    /// The weight of what changes a winding.
+    #[inline(always)]
+    pub(super) fn weight(self, winding: i32, direction: i8) -> i32 {
+        self.of(winding + i32::from(direction)) - self.of(winding)
+    }
+}
+
+/// Sends the areas of an outline within `width` columns and `height` rows; too few slots leave chains out.
+pub(crate) fn fill(
+    source: Source<'_>,
+    inside: Inside,
+    (width, height): (i32, i32),
+    slots: &mut [CoverageEdge],
+    sink: &mut dyn AreaSink,
+) -> bool {
+    let mut fill = Fill {
+        table: Table::new(source, slots, height),
+        inside,
+        width,
+        row: 0,
+        winding: Winding::new(0),
+        accumulator: Accumulator::new(),
+        swept_from: usize::MAX,
+    };
+    while fill.row < height {
+        fill.row = fill.table.next_row(fill.row);
+        if fill.row >= height {
+            break;
+        }
+        fill.table.start(fill.row);
+        fill.table.advance(fill.row);
+        if !fill.send_row(sink) {
+            return false;
+        }
+        fill.table.leave_row();
+        fill.row += 1;
+    }
+    true
+}
+
+/// The state of a walk.
+pub(super) struct Fill<'a, 's> {
+    pub(super) table: Table<'a, 's>,
+    pub(super) inside: Inside,
+    width: i32,
+    row: i32,
+    pub(super) winding: Winding,
+    pub(super) accumulator: Accumulator,
+    /// From this place on, the row has more levels than there is room for.
+    swept_from: usize,
+}
+
+impl Fill<'_, '_> {
+    #[inline(always)]
+    pub(super) fn row_top(&self) -> i32 {
+        self.row << FINE_BITS
+    }
+
+    /// One window of columns after the other.
+    fn send_row(&mut self, sink: &mut dyn AreaSink) -> bool {
+        let columns = WINDOW as i32;
+        let active = self.table.active;
+        self.swept_from = usize::MAX;
+        // The first chain that has to do with the window, and the winding to its left.
+        let (mut first, mut winding) = (0, 0);
+        let Some(mut start) = self.table.chain_ref(0).map(|chain| (chain.low >> FINE_BITS).max(0)) else { return true };
+        while start < self.width {
+            let end = start + columns;
+            self.accumulator.begin(start, self.inside.of(winding) * FULL);
+            self.winding.set_flat(winding);
+            // Where the next window may begin: no chain before that place reaches beyond this one.
+            let (mut resume, mut resume_winding) = (first, winding);
+            let mut flat_place = first;
+            let mut high = i32::MIN;
+            let mut place = first;
+            let mut next_start = self.width;
+            while place < active {
+                let Some(chain) = self.table.chain(place) else { break };
+                let column = chain.low >> FINE_BITS;
+                if column >= end {
+                    next_start = column.min(self.width);
+                    break;
+                }
+                let (group_end, group_high) = self.group(place);
+                high = high.max(group_high >> FINE_BITS);
+                if !self.add_group(place, group_end) {
+                    // The window once more, and at once from where the winding was flat to the right end.
+                    self.swept_from = flat_place;
+                    self.accumulator.clear();
+                    self.accumulator.begin(start, self.inside.of(winding) * FULL);
+                    self.winding.set_flat(winding);
+                    (resume, resume_winding, flat_place, place) = (first, winding, first, first);
+                    high = i32::MIN;
+                    continue;
+                }
+                if group_end - place > 1 && high >= end {
+                    self.sort_again(place, group_end);
+                }
+                place = group_end;
+                if let Some(winding) = self.winding.flat() {
+                    flat_place = place;
+                    if high < end {
+                        (resume, resume_winding) = (place, winding);
+                    }
+                }
+            }
+            let is_complete = resume == place;
+            let until = if is_complete { next_start } else { end.min(self.width) };
+            let gap = if is_complete { self.inside.of(resume_winding) * FULL } else { 0 };
+            if !self.emit(start, until, is_complete, gap, sink) {
+                return false;
+            }
+            (first, winding, start) = (resume, resume_winding, until);
+            if is_complete && place >= active {
+                break;
+            }
+        }
+        true
+    }
+
+    /// The chains from `place` on whose extents overlap: the place behind the last, and how far they reach.
+    #[inline(always)]
+    fn group(&self, place: usize) -> (usize, i32) {
+        let mut high = self.table.chain_ref(place).map_or(i32::MIN, |chain| chain.high);
+        let mut end = place + 1;
+        while end < self.table.active {
+            match self.table.chain_ref(end) {
+                Some(chain) if chain.low < high || place == self.swept_from => high = high.max(chain.high),
+                _ => break,
+            }
+            end += 1;
+        }
+        (end, high)
+    }
+
+    /// Adds a group; `false` where there are too many levels.
+    #[inline(always)]
+    fn add_group(&mut self, place: usize, end: usize) -> bool {
+        let is_swept = place == self.swept_from;
+        if end - place > 1 && (is_swept || !order::put_in_order(&mut self.table, place, end, self.row << FINE_BITS)) {
+            let is_known = sweep::sweep(self, place, end);
+            if is_swept {
+                // The right end of the row.
+                self.winding.set_flat(0);
+            }
+            return is_known || is_swept;
+        }
+        (place..end).all(|place| self.add_chain(place))
+    }
+
+    /// The next window begins with these chains, too, and knows groups by their least columns.
+    fn sort_again(&mut self, place: usize, end: usize) {
+        for at in place + 1..end {
+            let Some(low) = self.table.chain_ref(at).map(|chain| chain.low) else { break };
+            self.table.sink(place, at, low);
+        }
+    }
+
+    #[inline(always)]
+    fn add_chain(&mut self, place: usize) -> bool {
+        let row_top = self.row_top();
+        let (source, inside) = (self.table.source, self.inside);
+        let flat = self.winding.flat();
+        let slot = self.table.slot_of(place);
+        let Some(chain) = self.table.slots.get_mut(slot) else { return true };
+        if let (Some(winding), true) = (flat, chain.is_whole()) {
+            let weight = inside.weight(winding, chain.direction);
+            self.winding.set_flat(winding + i32::from(chain.direction));
+            if weight != 0 {
+                chain.add(&source, row_top, weight, &mut self.accumulator);
+            }
+            return true;
+        }
+        let chain = *chain;
+        let accumulator = &mut self.accumulator;
+        self.winding
+            .pass(chain.top, chain.bottom, i32::from(chain.direction), &mut |top, bottom, winding| {
+                let weight = inside.weight(winding, chain.direction);
+                if weight != 0 {
+                    chain.add_lines(&source, row_top, (top, bottom), weight, accumulator);
+                }
+            })
+            .is_ok()
+    }
+
+    /// Hands over the columns `start..until` of a window, and what lies between it and the next.
+    fn emit(&mut self, start: i32, until: i32, is_complete: bool, gap: i32, sink: &mut dyn AreaSink) -> bool {
+        let row = self.row;
+        let window_end = (start + WINDOW as i32).min(until);
+        let mut sum = self.accumulator.base;
+        let mut touched = core::mem::take(&mut self.accumulator.touched);
+        let mut column = start;
+        let mut is_open = true;
+        while touched != 0 && is_open {
+            let first = touched.trailing_zeros();
+            let next = start + first.cast_signed();
+            if next >= window_end {
+                break;
+            }
+            if next > column && rounds_up(sum) {
+                is_open = sink.span(row, column..next, sum);
+            }
+            let length = (touched >> first).trailing_ones();
+            touched = touched.checked_shr(first + length).unwrap_or(0).checked_shl(first + length).unwrap_or(0);
+            let count = (length as usize).min((window_end - next).unsigned_abs() as usize);
+            // The last is that of what follows, too, unless something changes behind the end.
+            let is_cut = count < length as usize || (first + length) as usize == WINDOW;
+            let sent = if is_cut { count } else { count - 1 };
+            let sums = self.accumulator.sums(&mut sum, first as usize, count);
+            if let Some(run) = sums.get(..sent)
+                && !run.is_empty()
+            {
+                is_open &= sink.run(row, next, run);
+            }
+            column = next + i32::try_from(sent).unwrap_or(0);
+            self.accumulator.forget(first as usize, length as usize + 1);
+        }
+        if !is_open {
+            return false;
+        }
+        self.accumulator.clear_rest(touched);
+        if is_complete && touched == 0 {
+            // Beyond the last change there is nothing, or all.
+            sum = gap;
+        }
+        let end = if is_complete { until } else { window_end };
+        if end > column && rounds_up(sum) {
+            is_open = sink.span(row, column..end, sum);
+        }
+        is_open
+    }
+}
+
+/// Whether an area is more than nothing.
+#[inline(always)]
+fn rounds_up(area: i32) -> bool {
+    area > FULL >> 16
+}
+
+const _: () = assert!(FINE_ONE == 1 << FINE_BITS);

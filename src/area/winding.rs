@@ -1,0 +1,120 @@
+//! The winding to the left of what comes next, for every height of a row of pixels.
+//!
+//! Where all chains so far cross the whole row, it is one number. Where one begins or ends within the row it changes with
+//! the height, until the chain that begins or ends with it has been passed: mostly the next.
+//!
+//! ```text
+//!      0 |  \          \      |     0 to the left of both, 1 between them below the top at h
+//!      h |   \    /\    \     |     levels: up to h the winding is 1, from there on 2, then 1 again
+//!        |    \  /  \    \    |
+//! ```
+
+use crate::area::source::FINE_ONE;
+
+/// More levels than an outline that is not made to have them needs; what has more is swept (see `sweep`).
+const CAPACITY: usize = 16;
+
+/// Heights up to `end`, and the winding there.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Level {
+    pub(crate) end: i32,
+    pub(crate) winding: i32,
+}
+
+/// There are more levels than there is room for.
+#[derive(Debug)]
+pub(crate) struct TooManyLevels;
+
+/// From the top of the row to its bottom; always one at least.
+#[derive(Debug)]
+pub(crate) struct Winding {
+    levels: [Level; CAPACITY],
+    count: usize,
+}
+
+impl Winding {
+    pub(crate) const fn new(winding: i32) -> Self {
+        Self { levels: [Level { end: FINE_ONE, winding }; CAPACITY], count: 1 }
+    }
+
+    #[inline(always)]
+    pub(crate) fn levels(&self) -> &[Level] {
+        self.levels.get(..self.count).unwrap_or_default()
+    }
+
+    /// The winding of all heights, if it is one.
+    #[inline(always)]
+    pub(crate) fn flat(&self) -> Option<i32> {
+        match (self.count, &self.levels) {
+            (1, [first, ..]) => Some(first.winding),
+            _ => None,
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn set_flat(&mut self, winding: i32) {
+        self.count = 1;
+        if let [first, ..] = &mut self.levels {
+            *first = Level { end: FINE_ONE, winding };
+        }
+    }
+
+    /// Passes a chain between two heights. Each piece of it with another winding to its left is handed over before.
+    #[inline(never)]
+    pub(crate) fn pass(
+        &mut self,
+        top: i32,
+        bottom: i32,
+        direction: i32,
+        piece: &mut dyn FnMut(i32, i32, i32),
+    ) -> Result<(), TooManyLevels> {
+        self.split(top)?;
+        self.split(bottom)?;
+        let mut start = 0;
+        for level in self.levels.get_mut(..self.count).unwrap_or_default() {
+            if start >= top && start < bottom {
+                piece(start, level.end, level.winding);
+                level.winding += direction;
+            }
+            start = level.end;
+        }
+        self.join();
+        Ok(())
+    }
+
+    /// Makes a level end at `height`.
+    fn split(&mut self, height: i32) -> Result<(), TooManyLevels> {
+        let place = self.levels().iter().position(|level| level.end >= height).unwrap_or(0);
+        if height == 0 || self.levels.get(place).is_some_and(|level| level.end == height) {
+            return Ok(());
+        }
+        if self.count == CAPACITY {
+            return Err(TooManyLevels);
+        }
+        self.count += 1;
+        let levels = self.levels.get_mut(place..self.count).unwrap_or_default();
+        levels.rotate_right(1);
+        if let [new, split, ..] = levels {
+            *new = Level { end: height, winding: split.winding };
+        }
+        Ok(())
+    }
+
+    /// Neighbours with the same winding become one.
+    fn join(&mut self) {
+        let mut kept = 0;
+        for index in 1..self.count {
+            let Some(&level) = self.levels.get(index) else { break };
+            match self.levels.get_mut(kept) {
+                Some(last) if last.winding == level.winding => last.end = level.end,
+                _ => {
+                    kept += 1;
+                    if let Some(next) = self.levels.get_mut(kept) {
+                        *next = level;
+                    }
+                }
+            }
+        }
+        self.count = kept + 1;
+    }
+}
