@@ -15,6 +15,9 @@ mod tiny_skia_aa;
 mod vello_cpu;
 mod zeno;
 
+pub(crate) use tiny_skia::pixmap;
+pub(crate) use vello_cpu::renderer_at;
+
 use std::convert::Infallible;
 
 use ::embedded_graphics::{pixelcolor::Rgb565, prelude::*};
@@ -44,6 +47,7 @@ pub(crate) fn drawing(scene: Scene, variant: Variant) -> Option<Box<dyn Drawing>
         }
         Variant::TinySkiaAntiAliased => Some(tiny_skia_aa::drawing(scene)),
         Variant::Vello => Some(vello_cpu::drawing(scene)),
+        Variant::VelloBaseline => Some(vello_cpu::drawing_at_baseline(scene)),
         Variant::VelloAlone => Some(vello_cpu::drawing_alone(scene)),
         Variant::Zeno => Some(zeno::drawing(scene)),
         Variant::AbGlyph => Some(ab_glyph::drawing(scene)),

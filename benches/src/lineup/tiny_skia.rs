@@ -57,7 +57,7 @@ pub(super) fn drawing_kept_paths(scene: Scene) -> Box<dyn Drawing> {
     })
 }
 
-pub(super) fn pixmap() -> Pixmap {
+pub(crate) fn pixmap() -> Pixmap {
     Pixmap::new(FRAME_WIDTH.unsigned_abs(), FRAME_HEIGHT.unsigned_abs()).expect("the frame has a size")
 }
 
