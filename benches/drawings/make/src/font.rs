@@ -52,7 +52,7 @@ pub(crate) fn paragraph(file: &Path) -> Outcome<Vec<Shape>> {
 fn glyph(face: &Face<'_>, c: char, to_pixels: Affine) -> Option<Shape> {
     let mut builder = Builder(BezPath::new());
     face.outline_glyph(face.glyph_index(c)?, &mut builder)?;
-    Shape::new([0x20, 0x20, 0x28], false, &(to_pixels * builder.0))
+    Shape::new([0xe6, 0xe6, 0xdc], false, &(to_pixels * builder.0))
 }
 
 struct Builder(BezPath);

@@ -83,7 +83,11 @@ fn peeps(folder: &Path) -> Outcome<Vec<Shape>> {
     for (index, file) in files(folder)?.iter().enumerate() {
         let (column, row) = ((index % 4) as f64, (index / 4) as f64);
         let cell = Rect::from_origin_size((column * CELL_PX, row * CELL_PX), (CELL_PX, CELL_PX));
-        shapes.extend(svg::shapes(&svg::read(file)?, fit(Rect::new(0.0, 0.0, 704.0, 704.0), cell), svg::Parts::FillsAndStrokes));
+        shapes.extend(svg::shapes(
+            &svg::read(file)?,
+            fit(Rect::new(0.0, 0.0, 704.0, 704.0), cell),
+            svg::Parts::FillsAndStrokes,
+        ));
     }
     Ok(shapes)
 }

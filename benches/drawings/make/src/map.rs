@@ -39,14 +39,45 @@ impl Map {
     fn shape(&self, geometry: &Value, rgb: [u8; 3]) -> Option<Shape> {
         let mut path = BezPath::new();
         for ring in rings(geometry) {
-            let mut points = ring.iter().flat_map(|&index| arc(&self.arcs, index)).map(pixels);
-            let Some(first) = points.next() else { continue };
-            path.move_to(first);
-            points.for_each(|point| path.line_to(point));
-            path.close_path();
+            let ring = unrolled(ring.iter().flat_map(|&index| arc(&self.arcs, index)));
+            add_ring(&mut path, &ring, 0.0);
+            // What lies beyond the map's one edge is seen at the other.
+            if ring.iter().any(|[longitude, _]| *longitude > 180.0) {
+                add_ring(&mut path, &ring, -360.0);
+            }
+            if ring.iter().any(|[longitude, _]| *longitude < -180.0) {
+                add_ring(&mut path, &ring, 360.0);
+            }
         }
         Shape::new(rgb, true, &path)
     }
+}
+
+fn add_ring(path: &mut BezPath, ring: &[[f64; 2]], to_the_east: f64) {
+    let mut points = ring.iter().map(|[longitude, latitude]| pixels([longitude + to_the_east, *latitude]));
+    let Some(first) = points.next() else { return };
+    path.move_to(first);
+    points.for_each(|point| path.line_to(point));
+    path.close_path();
+}
+
+/// Without jumps from one edge of the map to the other; what goes around the world is closed below the South Pole.
+fn unrolled(ring: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
+    let mut turns = 0.0;
+    let mut last = None;
+    let step = |[longitude, latitude]: [f64; 2]| {
+        let jump: f64 = last.map_or(0.0, |last| longitude - last);
+        turns -= if jump.abs() > 180.0 { jump.signum() } else { 0.0 };
+        last = Some(longitude);
+        [longitude + 360.0 * turns, latitude]
+    };
+    let mut ring: Vec<[f64; 2]> = ring.map(step).collect();
+    if let (&[first, _], &[end, _]) = (&ring[0], &ring[ring.len() - 1])
+        && (end - first).abs() > 180.0
+    {
+        ring.extend([[end, -90.0], [first, -90.0]]);
+    }
+    ring
 }
 
 fn pixels([longitude, latitude]: [f64; 2]) -> (f64, f64) {

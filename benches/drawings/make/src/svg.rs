@@ -78,7 +78,9 @@ fn style(stroke: &usvg::Stroke) -> Stroke {
         .with_caps(cap)
         .with_miter_limit(f64::from(stroke.miterlimit().get()));
     match stroke.dasharray() {
-        Some(lengths) => style.with_dashes(f64::from(stroke.dashoffset()), lengths.iter().map(|&length| f64::from(length))),
+        Some(lengths) => {
+            style.with_dashes(f64::from(stroke.dashoffset()), lengths.iter().map(|&length| f64::from(length)))
+        }
         None => style,
     }
 }
