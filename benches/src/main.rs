@@ -185,8 +185,7 @@ fn time(entries: &mut [Row], rounds: u32, turn: Duration) {
 const fn counted_shapes(scene: Scene) -> usize {
     match scene {
         Scene::Triangles(_) | Scene::Circles(_) | Scene::Lines(_) => 1000,
-        // Always the same one.
-        Scene::Star | Scene::Concave64 => 2 * lineup::COPIES,
+        Scene::Stars(_) | Scene::Concave64(_) => 256,
     }
 }
 

@@ -68,7 +68,7 @@ pub(super) fn growth(rows: &Rows, queries: &[Query]) -> String {
             for parts in CUTS {
                 let part = format!("{name}/{parts}");
                 let cost = |variant| rows.get(&part, variant).map(|row| row.cost);
-                let field = |variant| cost(variant).map(|cost| in_unit(cost)).unwrap_or_default();
+                let field = |variant| cost(variant).map(in_unit).unwrap_or_default();
                 let whole = rows.get(name, Variant::AntiAliased).map(|row| row.cost);
                 let growth = cost(Variant::AntiAliased).zip(whole).map(|(cut, whole)| cut / whole);
                 let against = rows.ratio(&part, Variant::AntiAliased, Variant::VelloBaseline);

@@ -32,12 +32,11 @@ use crate::{
 /// The scene drawn by the variant; `None` for what the library has not got.
 pub(crate) fn drawing(scene: Scene, variant: Variant) -> Option<Box<dyn Drawing>> {
     match variant {
-        Variant::Spanfill => Some(spanfill::drawing(scene)),
+        Variant::Spanfill | Variant::Aliased => Some(spanfill::drawing(scene)),
         Variant::EmbeddedGraphics => embedded_graphics::drawing(scene),
         Variant::TinySkia => Some(tiny_skia::drawing(scene)),
         Variant::TinySkiaKeptPath => Some(tiny_skia::drawing_kept_paths(scene)),
         Variant::Floor => Some(spanfill::floor(scene)),
-        Variant::Aliased => Some(spanfill::copied_drawing(scene)),
         Variant::AntiAliased => Some(spanfill_aa::drawing(scene)),
         Variant::AntiAliasedOver => Some(spanfill_aa::drawing_over(scene)),
         Variant::Mask => Some(spanfill_aa::mask(scene)),
@@ -101,14 +100,6 @@ const COLOUR: Rgb565 = Rgb565::CSS_ORANGE;
 /// As many of the scene's endless shapes as are drawn.
 fn some<T>(scene: Scene, endless: impl Iterator<Item = T>) -> Vec<T> {
     endless.take(shapes(scene)).collect()
-}
-
-/// How often the star and the 64-gon are in the anti-aliased scenes: as often as vello_cpu is given them at once.
-pub(crate) const COPIES: usize = 32;
-
-/// One shape, time and again.
-fn copies<T>(shape: impl Fn() -> T) -> Vec<T> {
-    (0..COPIES).map(|_| shape()).collect()
 }
 
 fn point([x, y]: PixelPoint) -> Point {

@@ -15,10 +15,7 @@ use vello_cpu::{
 
 use crate::{
     drawing::Drawing,
-    lineup::{
-        COPIES,
-        outline::{Outline, OutlineVisitor, Pen, Position, with_outlines},
-    },
+    lineup::outline::{Outline, OutlineVisitor, Pen, Position, with_outlines},
     picture::{Bounds, Picture},
     scenes::{FRAME_HEIGHT, FRAME_WIDTH, Scene},
 };
@@ -41,10 +38,10 @@ fn drawing_at(scene: Scene, level: Level) -> Box<dyn Drawing> {
     // So many that rendering the rest of the picture is a few hundredths of the time, and no more, as each batch is
     // timed in one turn.
     let batch = match scene {
-        Scene::Triangles(size_px) | Scene::Circles(size_px) if size_px <= 10 => 500,
-        Scene::Triangles(..=50) | Scene::Circles(..=20) | Scene::Lines(..=50) => 200,
+        Scene::Triangles(size_px) | Scene::Circles(size_px) | Scene::Concave64(size_px) if size_px <= 10 => 500,
+        Scene::Triangles(..=50) | Scene::Circles(..=20) | Scene::Lines(..=50) | Scene::Concave64(..=20) => 200,
         Scene::Triangles(_) | Scene::Lines(_) => 100,
-        Scene::Circles(_) | Scene::Star | Scene::Concave64 => COPIES,
+        Scene::Circles(_) | Scene::Stars(_) | Scene::Concave64(_) => 32,
     };
     with_outlines(scene, Batches { batch, level })
 }
