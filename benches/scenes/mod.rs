@@ -9,8 +9,10 @@
 //! | [`Scene::Triangles`] | box, px | three random pixels of a box placed at random on the frame |
 //! | [`Scene::Circles`] | radius, px | a filled circle around a random pixel corner, all of it on the frame |
 //! | [`Scene::Lines`] | box, px | a thin line between two random pixels of a box placed at random on the frame |
-//! | [`Scene::Star`] | | a five-pointed star, self-crossing: the non-zero rule fills its pentagon |
-//! | [`Scene::Concave64`] | | 64 vertices at irregular distances from the centre, each second one far in |
+//! | [`Scene::Stars`] | radius, px | a five-pointed star, self-crossing: the non-zero rule fills its pentagon |
+//! | [`Scene::Concave64`] | radius, px | 64 vertices at irregular distances from the centre, each second one far in |
+//!
+//! [`STAR`] and [`CONCAVE_64`] are one such shape each, as constants.
 //!
 //! Every sequence is endless and starts from a seed of its own: the same shapes in every run, on every machine, in
 //! whatever order the scenes are measured.
@@ -26,4 +28,7 @@ mod shapes;
 pub(crate) use blocks::{BlocksFull, RecordBlocks};
 pub(crate) use frame::{FRAME_HEIGHT, FRAME_WIDTH, Frame};
 pub(crate) use random::Random;
-pub(crate) use shapes::{CONCAVE_64, PixelPoint, STAR, Scene, SubpixelPoint, circles, lines, triangles};
+pub(crate) use shapes::{
+    CONCAVE_64, CONCAVE_RADIUS_PX, PixelPoint, STAR, STAR_RADIUS_PX, Scene, SubpixelPoint, circles, concave_polygons,
+    lines, stars, triangles,
+};

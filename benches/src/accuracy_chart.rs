@@ -39,7 +39,7 @@ enum Ends {
 
 /// What is averaged: the simple outlines without curves. Curves are flattened before they are filled, by whatever
 /// tolerance a library has; and where an outline crosses itself within a pixel, adding up areas is off by 50 255ths.
-const SCENES: [Scene; 4] = [Scene::Triangles(10), Scene::Triangles(50), Scene::Triangles(200), Scene::Concave64];
+const SCENES: [Scene; 4] = [Scene::Triangles(10), Scene::Triangles(50), Scene::Triangles(200), Scene::Concave64(100)];
 
 const WIDTH: i32 = 900;
 const HEIGHT: i32 = 520;

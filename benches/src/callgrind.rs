@@ -2,32 +2,34 @@
 
 use std::{env, fs, process::Command};
 
-use crate::{drawing::Drawing, lineup, row::full_name, scenes::Scene, variant::Variant};
+use crate::{lineup, scenes::Scene, variant::Variant};
 
 /// Draws so many shapes of the scene, from the first again when it has fewer, in [`measured`].
 pub(crate) fn profile(scene: Scene, variant: Variant, shapes: usize) -> Result<(), String> {
     let mut drawing = lineup::drawing(scene, variant).ok_or_else(|| format!("{variant} has no {}", scene.name()))?;
     // Symbols are looked up the first time.
     drawing.draw(0..1);
-    measured(&mut *drawing, shapes);
+    measured(&mut || {
+        let mut left = shapes;
+        while left > 0 {
+            let now = left.min(drawing.shapes());
+            drawing.draw(0..now);
+            left -= now;
+        }
+    });
     Ok(())
 }
 
 /// What callgrind is told to count: a function that keeps its name.
 #[inline(never)]
-fn measured(drawing: &mut dyn Drawing, shapes: usize) {
-    let mut left = shapes;
-    while left > 0 {
-        let now = left.min(drawing.shapes());
-        drawing.draw(0..now);
-        left -= now;
-    }
+pub(crate) fn measured(work: &mut dyn FnMut()) {
+    work();
 }
 
 const MEASURED: &str = "spanfill_benches::callgrind::measured";
 
-/// The instructions of a shape.
-pub(crate) fn instructions(scene: Scene, variant: Variant, shapes: usize) -> Result<f64, String> {
+/// The instructions of a shape of the scene, or of a picture of the drawing.
+pub(crate) fn instructions(name: &str, variant: Variant, shapes: usize) -> Result<f64, String> {
     let program = env::current_exe().map_err(|error| format!("where this program is: {error}"))?;
     let counts = env::temp_dir().join(format!("spanfill-benches-{}.callgrind", std::process::id()));
     let mut valgrind = Command::new("valgrind");
@@ -35,7 +37,7 @@ pub(crate) fn instructions(scene: Scene, variant: Variant, shapes: usize) -> Res
         .args(["--tool=callgrind", &format!("--toggle-collect={MEASURED}")])
         .arg(format!("--callgrind-out-file={}", counts.display()))
         .arg(program)
-        .args(["profile", &full_name(scene), variant.name(), "--shapes", &shapes.to_string()]);
+        .args(["profile", name, variant.name(), "--shapes", &shapes.to_string()]);
     let output = valgrind.output().map_err(|error| format!("valgrind: {error}"))?;
     if !output.status.success() {
         return Err(format!("valgrind: {}\n{}", output.status, String::from_utf8_lossy(&output.stderr)));

@@ -70,21 +70,73 @@ pub(crate) struct Measure {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
+    /// Time whole pictures of real drawings, and how that grows with the vertices: half a minute
+    Drawings(GalleryArgs),
     /// Draw with one variant and nothing else, for a profiler
     Profile {
-        /// triangle-10, circle-5, ...
-        #[arg(value_parser = scene_from)]
-        scene: Scene,
+        /// A scene (triangle-10, circle-5, ...) or a drawing (coast, text/4, ...)
+        #[arg(value_name = "SCENE_OR_DRAWING")]
+        name: String,
         /// spanfill, spanfill-aa, ...
         variant: Variant,
-        /// How many shapes to draw
-        #[arg(long, value_name = "N", default_value_t = 1000)]
-        shapes: usize,
+        /// How many shapes to draw, or how many pictures of a drawing [default: 1000, or 1]
+        #[arg(long, value_name = "N")]
+        shapes: Option<usize>,
     },
     /// Draw the chart of speed again from rows that were saved
     Chart(Redraw),
     /// Draw the chart of speed and accuracy again from rows that were saved
     ChartAa(Redraw),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct GalleryArgs {
+    /// Only these: countries, noisy-chart-2000, ...; coast/4 is the coast with every edge cut in four [default: all]
+    #[arg(value_name = "DRAWING")]
+    pub(crate) names: Vec<String>,
+
+    /// Only by these, with commas between them: spanfill-aa, vello-cpu-baseline, ... [default: all]
+    #[arg(long, value_name = "VARIANTS", value_delimiter = ',')]
+    pub(crate) variants: Vec<Variant>,
+
+    /// Not how the times grow when edges are cut, and no question for the scratch
+    #[arg(long)]
+    pub(crate) no_growth: bool,
+
+    /// How many turns each variant has at most; its best one counts
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(3..))]
+    pub(crate) rounds: u32,
+
+    /// How long each variant draws each drawing, in milliseconds; but three turns at least
+    #[arg(long, value_name = "MS", default_value_t = 100)]
+    pub(crate) budget_ms: u64,
+
+    /// Count instructions in place of time: runs everything under valgrind, which has to be installed
+    #[arg(long)]
+    pub(crate) instructions: bool,
+
+    /// Save the rows as CSV, and beside it a .md with all that is printed [default FILE, in benches/record/<target>:
+    /// <date>-drawings.csv, or <date>-drawings-instructions.csv]
+    #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true)]
+    pub(crate) csv: Option<Option<PathBuf>>,
+
+    /// Replace what stands between <!-- bench-drawings:begin --> and <!-- bench-drawings:end --> in this file
+    #[arg(long, value_name = "FILE")]
+    pub(crate) readme: Option<PathBuf>,
+
+    /// Save what each variant's picture shows, as <drawing>-<variant>.ppm
+    #[arg(long, value_name = "FOLDER")]
+    pub(crate) pictures: Option<PathBuf>,
+
+    /// Exit with status 1 when a bar is not reached
+    #[arg(long, conflicts_with = "instructions")]
+    pub(crate) check: bool,
+}
+
+impl GalleryArgs {
+    pub(crate) fn growth(&self) -> bool {
+        !self.no_growth
+    }
 }
 
 #[derive(Debug, Args)]

@@ -1,6 +1,9 @@
 //! What a figure belongs to: processor, compiler, flags, versions.
 
-use std::{fmt, fs};
+use std::{
+    fmt, fs,
+    path::{Path, PathBuf},
+};
 
 /// The target that this program was built for.
 pub(crate) const TARGET: &str = env!("BENCH_TARGET");
@@ -22,9 +25,10 @@ impl Environment {
         Self { processor: processor(), date: time::OffsetDateTime::now_utc().date().to_string() }
     }
 
-    /// Today in UTC: 2000-12-31.
-    pub(crate) fn date(&self) -> &str {
-        &self.date
+    /// The file for the rows of today, in UTC.
+    pub(crate) fn record(&self, suffix: &str) -> PathBuf {
+        let file = format!("{}{suffix}.csv", self.date);
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("record").join(TARGET).join(file)
     }
 }
 

@@ -100,7 +100,7 @@ mod tests {
     use super::*;
     use crate::{
         lineup::outline::{CircleOutline, LineOutline, Outline, PolygonOutline, TriangleOutline, star_outline},
-        scenes::{CONCAVE_64, Random, STAR},
+        scenes::{CONCAVE_64, Random, STAR, stars},
     };
 
     /// Whether a point is inside, by the sign of the winding around it or the distance from a centre.
@@ -182,7 +182,10 @@ mod tests {
 
     #[test]
     fn the_star_is_the_union_of_what_it_winds_around() {
-        assert_as_sampled(&star_outline(), &PolygonOutline(STAR), &mut Random::new(0x57A2));
+        let mut random = Random::new(0x57A2);
+        for star in [STAR].into_iter().chain(stars(100).take(3)) {
+            assert_as_sampled(&star_outline(star), &PolygonOutline(star), &mut random);
+        }
     }
 
     #[test]

@@ -8,8 +8,11 @@ mod callgrind;
 mod chart;
 mod cli;
 mod drawing;
+#[path = "../drawings/mod.rs"]
+mod drawings;
 mod environment;
 mod exact;
+mod gallery;
 mod lineup;
 mod picture;
 mod readme;
@@ -33,8 +36,9 @@ use clap::Parser;
 use crate::{
     cli::{Cli, Command, Measure, Redraw},
     drawing::Drawing,
-    environment::{Environment, TARGET},
-    row::{Difference, Row, Rows, Unit, full_name},
+    environment::Environment,
+    readme::Document,
+    row::{Difference, Row, Rows, Unit, full_name, scene_from},
     scenes::Scene,
     timing::Turns,
     variant::Variant,
@@ -44,7 +48,8 @@ fn main() -> ExitCode {
     let cli = Cli::parse();
     let result = match &cli.command {
         None => measure(&cli.measure),
-        Some(Command::Profile { scene, variant, shapes }) => profile(*scene, *variant, *shapes),
+        Some(Command::Drawings(args)) => gallery::measure(args),
+        Some(Command::Profile { name, variant, shapes }) => profile(name, *variant, *shapes),
         Some(Command::Chart(redraw)) => redraw_as(redraw, chart::svg),
         Some(Command::ChartAa(redraw)) => redraw_as(redraw, accuracy_chart::svg),
     };
@@ -56,8 +61,13 @@ fn main() -> ExitCode {
 
 type Outcome = Result<ExitCode, Box<dyn Error>>;
 
-fn profile(scene: Scene, variant: Variant, shapes: usize) -> Outcome {
-    callgrind::profile(scene, variant, shapes)?;
+fn profile(name: &str, variant: Variant, shapes: Option<usize>) -> Outcome {
+    match scene_from(name) {
+        Ok(scene) => callgrind::profile(scene, variant, shapes.unwrap_or(1000))?,
+        Err(scenes) => {
+            gallery::profile(name, variant, shapes.unwrap_or(1)).map_err(|error| format!("{scenes}\n{error}"))?
+        }
+    }
     Ok(ExitCode::SUCCESS)
 }
 
@@ -66,14 +76,18 @@ type Svg = Result<String, Box<dyn Error>>;
 fn redraw_as(Redraw { rows, chart }: &Redraw, svg: fn(&Rows) -> Svg) -> Outcome {
     let text = fs::read_to_string(rows).map_err(|error| format!("{}: {error}", rows.display()))?;
     let rows: Rows = text.parse().map_err(|error| format!("{}: {error}", rows.display()))?;
-    save(chart, &svg(&rows)?)?;
+    save(chart, svg(&rows)?)?;
     Ok(ExitCode::SUCCESS)
 }
 
 fn measure(args: &Measure) -> Outcome {
     let scenes = if args.scenes.is_empty() { Scene::ALL.to_vec() } else { args.scenes.clone() };
     // Read before the minute of measuring, so that a wrong name is known at once.
-    let readme = args.readme.as_deref().map(Readme::read).transpose()?;
+    let readme = args
+        .readme
+        .as_deref()
+        .map(|path| Document::read(path, &[readme::ALIASED, readme::ANTI_ALIASED]))
+        .transpose()?;
     let environment = Environment::new();
 
     let mut entries = entries(&scenes)?;
@@ -98,17 +112,17 @@ fn measure(args: &Measure) -> Outcome {
 
     if let Some(csv) = &args.csv {
         let csv = csv.clone().unwrap_or_else(|| default_csv(&environment, unit));
-        save(&csv, &rows.to_string())?;
+        save(&csv, rows.to_string())?;
         save(&csv.with_extension("md"), &report)?;
     }
     if let Some(readme) = readme {
-        readme.save(&format!("{table}\n{environment}"), &tables_aa)?;
+        readme.save(&[&format!("{table}\n{environment}"), &tables_aa])?;
     }
     if let Some(chart) = &args.chart {
-        save(chart, &chart::svg(&rows)?)?;
+        save(chart, chart::svg(&rows)?)?;
     }
     if let Some(chart) = &args.chart_aa {
-        save(chart, &accuracy_chart::svg(&rows)?)?;
+        save(chart, accuracy_chart::svg(&rows)?)?;
     }
     let is_failed = args.check && verdicts.iter().any(|verdict| !verdict.is_reached());
     Ok(if is_failed { ExitCode::FAILURE } else { ExitCode::SUCCESS })
@@ -171,59 +185,30 @@ fn time(entries: &mut [Row], rounds: u32, turn: Duration) {
 const fn counted_shapes(scene: Scene) -> usize {
     match scene {
         Scene::Triangles(_) | Scene::Circles(_) | Scene::Lines(_) => 1000,
-        // Always the same one.
-        Scene::Star | Scene::Concave64 => 2 * lineup::COPIES,
+        Scene::Stars(_) | Scene::Concave64(_) => 256,
     }
 }
 
 fn count_instructions(entries: &mut [Row]) -> Result<(), String> {
     for row in entries {
         eprintln!("counting {} by {}", full_name(row.scene), row.variant);
-        row.cost = callgrind::instructions(row.scene, row.variant, counted_shapes(row.scene))?;
+        row.cost = callgrind::instructions(&full_name(row.scene), row.variant, counted_shapes(row.scene))?;
     }
     Ok(())
 }
 
 fn default_csv(environment: &Environment, unit: Unit) -> PathBuf {
-    let suffix = match unit {
+    environment.record(match unit {
         Unit::Nanoseconds => "",
         Unit::Instructions => "-instructions",
-    };
-    let file = format!("{}{suffix}.csv", environment.date());
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("record").join(TARGET).join(file)
+    })
 }
 
-/// A README whose figures are to be replaced.
-struct Readme<'a> {
-    path: &'a Path,
-    text: String,
-}
-
-impl<'a> Readme<'a> {
-    fn read(path: &'a Path) -> Result<Self, String> {
-        let text = fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
-        let readme = Self { path, text };
-        readme.with_figures("", "")?;
-        Ok(readme)
-    }
-
-    fn with_figures(&self, aliased: &str, anti_aliased: &str) -> Result<String, String> {
-        readme::ALIASED
-            .replace(&self.text, aliased)
-            .and_then(|text| readme::ANTI_ALIASED.replace(&text, anti_aliased))
-            .map_err(|error| format!("{}: {error}", self.path.display()))
-    }
-
-    fn save(self, aliased: &str, anti_aliased: &str) -> Result<(), String> {
-        save(self.path, &self.with_figures(aliased, anti_aliased)?)
-    }
-}
-
-fn save(path: &Path, text: &str) -> Result<(), String> {
+fn save(path: &Path, content: impl AsRef<[u8]>) -> Result<(), String> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     folder
         .map_or(Ok(()), fs::create_dir_all)
-        .and_then(|()| fs::write(path, text))
+        .and_then(|()| fs::write(path, content))
         .map_err(|error| format!("{}: {error}", path.display()))?;
     eprintln!("{} written", path.display());
     Ok(())

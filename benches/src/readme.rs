@@ -1,5 +1,9 @@
 //! Keeps a README's figures those of a run.
 
+use std::{fs, path::Path};
+
+use crate::save;
+
 /// Two lines of a README, each of which is there once, and what stands between them is replaced.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Markers {
@@ -12,6 +16,42 @@ pub(crate) const ALIASED: Markers = Markers { begin: "<!-- bench:begin -->", end
 
 /// Around the tables with it.
 pub(crate) const ANTI_ALIASED: Markers = Markers { begin: "<!-- bench-aa:begin -->", end: "<!-- bench-aa:end -->" };
+
+/// Around the tables of real drawings.
+pub(crate) const DRAWINGS: Markers =
+    Markers { begin: "<!-- bench-drawings:begin -->", end: "<!-- bench-drawings:end -->" };
+
+/// A file whose figures are to be replaced.
+#[derive(Debug)]
+pub(crate) struct Document<'a> {
+    path: &'a Path,
+    text: String,
+    markers: &'a [Markers],
+}
+
+impl<'a> Document<'a> {
+    /// Finds the markers, too, so that what is missing is known before the minutes of measuring.
+    pub(crate) fn read(path: &'a Path, markers: &'a [Markers]) -> Result<Self, String> {
+        let text = fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
+        let document = Self { path, text, markers };
+        document.with_figures(&vec![""; markers.len()])?;
+        Ok(document)
+    }
+
+    fn with_figures(&self, figures: &[&str]) -> Result<String, String> {
+        let replaced = self
+            .markers
+            .iter()
+            .zip(figures)
+            .try_fold(self.text.clone(), |text, (markers, figures)| markers.replace(&text, figures));
+        replaced.map_err(|error| format!("{}: {error}", self.path.display()))
+    }
+
+    /// As many figures as there are markers.
+    pub(crate) fn save(self, figures: &[&str]) -> Result<(), String> {
+        save(self.path, self.with_figures(figures)?)
+    }
+}
 
 impl Markers {
     /// The text with `figures` between the markers.

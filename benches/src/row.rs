@@ -139,8 +139,8 @@ mod tests {
             unit: Unit::Nanoseconds,
             rows: vec![
                 row(Scene::Triangles(10), Variant::Spanfill, 100.5),
-                row(Scene::Concave64, Variant::TinySkiaKeptPath, 2000.0),
-                row(Scene::Star, Variant::AntiAliasedOver, 3000.0),
+                row(Scene::Concave64(20), Variant::TinySkiaKeptPath, 2000.0),
+                row(Scene::Stars(100), Variant::AntiAliasedOver, 3000.0),
             ],
         };
         assert_eq!(rows.to_string().parse(), Ok(rows));

@@ -10,7 +10,7 @@ use crate::{
 
 use Variant::{
     AbGlyph, Aliased, AntiAliased, AntiAliasedOver, BlendFloor, EmbeddedGraphics, Floor, Mask, Samples4, Samples16,
-    SamplesWeighted, Spanfill, TinySkia, TinySkiaAntiAliased, TinySkiaKeptPath, Vello, VelloAlone, Zeno,
+    SamplesWeighted, Spanfill, TinySkia, TinySkiaAntiAliased, TinySkiaKeptPath, Vello, VelloAlone, VelloBaseline, Zeno,
 };
 
 /// What every scene costs without anti-aliasing, and by which factor; an empty field where a library has no such shape.
@@ -65,11 +65,12 @@ fn write_anti_aliased(table: &mut String, rows: &Rows) -> fmt::Result {
     writeln!(
         table,
         "| a shape, {} | aliased | blend floor | spanfill | spanfill, `Over` | tiny-skia | vello_cpu \
-         | vello_cpu, one by one | masks: spanfill | zeno | ab_glyph | spanfill / aliased | spanfill / vello_cpu \
-         | spanfill / vello_cpu, one by one | tiny-skia / spanfill |",
+         | vello_cpu at its baseline | vello_cpu, one by one | masks: spanfill | zeno | ab_glyph | spanfill / aliased \
+         | spanfill / vello_cpu | spanfill / vello_cpu at its baseline | spanfill / vello_cpu, one by one \
+         | tiny-skia / spanfill |",
         unit(rows)
     )?;
-    writeln!(table, "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|")?;
+    writeln!(table, "|---|{}", "--:|".repeat(16))?;
     for scene in rows.scenes() {
         write!(table, "| {} |", title(scene))?;
         for variant in [
@@ -79,6 +80,7 @@ fn write_anti_aliased(table: &mut String, rows: &Rows) -> fmt::Result {
             AntiAliasedOver,
             TinySkiaAntiAliased,
             Vello,
+            VelloBaseline,
             VelloAlone,
             Mask,
             Zeno,
@@ -88,6 +90,7 @@ fn write_anti_aliased(table: &mut String, rows: &Rows) -> fmt::Result {
         }
         write_field(table, rows.ratio(scene, AntiAliased, Aliased), 2)?;
         write_field(table, rows.ratio(scene, AntiAliased, Vello), 2)?;
+        write_field(table, rows.ratio(scene, AntiAliased, VelloBaseline), 2)?;
         write_field(table, rows.ratio(scene, AntiAliased, VelloAlone), 2)?;
         write_field(table, rows.ratio(scene, TinySkiaAntiAliased, AntiAliased), 1)?;
         writeln!(table)?;
@@ -130,7 +133,7 @@ pub(crate) fn title(scene: Scene) -> String {
         Scene::Triangles(box_px) => format!("triangle, {box_px} px box"),
         Scene::Circles(radius_px) => format!("circle, r = {radius_px} px"),
         Scene::Lines(box_px) => format!("thin line, {box_px} px box"),
-        Scene::Star => format!("five-point star, r = {} px", scene.size_px()),
-        Scene::Concave64 => "concave polygon, 64 vertices".to_owned(),
+        Scene::Stars(radius_px) => format!("five-point star, r = {radius_px} px"),
+        Scene::Concave64(radius_px) => format!("concave polygon, 64 vertices, r = {radius_px} px"),
     }
 }

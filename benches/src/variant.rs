@@ -36,6 +36,8 @@ pub(crate) enum Variant {
     TinySkiaAntiAliased,
     /// vello_cpu, hundreds of shapes in each picture that it renders: its best.
     Vello,
+    /// The same by the instructions that every processor of the target has, which is what spanfill is compiled for.
+    VelloBaseline,
     /// vello_cpu, each shape rendered by itself onto what the picture shows.
     VelloAlone,
     /// zeno, into a mask.
@@ -50,7 +52,7 @@ impl Variant {
         [Self::Spanfill, Self::EmbeddedGraphics, Self::TinySkia, Self::TinySkiaKeptPath, Self::Floor];
 
     /// Those that are held to the exact area, in the order of the tables.
-    pub(crate) const ANTI_ALIASED: [Self; 13] = [
+    pub(crate) const ANTI_ALIASED: [Self; 14] = [
         Self::Aliased,
         Self::AntiAliased,
         Self::AntiAliasedOver,
@@ -61,6 +63,7 @@ impl Variant {
         Self::Samples16,
         Self::TinySkiaAntiAliased,
         Self::Vello,
+        Self::VelloBaseline,
         Self::VelloAlone,
         Self::Zeno,
         Self::AbGlyph,
@@ -68,6 +71,11 @@ impl Variant {
 
     fn all() -> impl Iterator<Item = Self> {
         Self::ALIASED.into_iter().chain(Self::ANTI_ALIASED)
+    }
+
+    /// Their names.
+    pub(crate) fn list(variants: &[Self]) -> String {
+        variants.iter().map(|variant| variant.name()).collect::<Vec<_>>().join(", ")
     }
 
     /// Its name in tables, CSV rows and on the command line.
@@ -88,6 +96,7 @@ impl Variant {
             Self::Samples16 => "spanfill-16x16",
             Self::TinySkiaAntiAliased => "tiny-skia-aa",
             Self::Vello => "vello-cpu",
+            Self::VelloBaseline => "vello-cpu-baseline",
             Self::VelloAlone => "vello-cpu-alone",
             Self::Zeno => "zeno-mask",
             Self::AbGlyph => "ab-glyph-mask",
@@ -107,8 +116,8 @@ impl FromStr for Variant {
     fn from_str(name: &str) -> Result<Self, String> {
         let named = Self::all().find(|variant| variant.name() == name);
         named.ok_or_else(|| {
-            let names: Vec<&str> = Self::all().map(Self::name).collect();
-            format!("no variant is called that; there are {}", names.join(", "))
+            let all: Vec<Self> = Self::all().collect();
+            format!("no variant is called that; there are {}", Self::list(&all))
         })
     }
 }

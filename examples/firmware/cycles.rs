@@ -35,7 +35,8 @@ use spanfill::{AntiAlias, Blend, Circle, Cover, Fill, InPlace, Line, Over, Polyg
 
 use instruction_counter::InstructionCounter;
 use scenes::{
-    CONCAVE_64, FRAME_WIDTH, Frame, PixelPoint, RecordBlocks, STAR, Scene, SubpixelPoint, circles, lines, triangles,
+    CONCAVE_64, CONCAVE_RADIUS_PX, FRAME_WIDTH, Frame, PixelPoint, RecordBlocks, STAR, STAR_RADIUS_PX, Scene,
+    SubpixelPoint, circles, lines, triangles,
 };
 
 /// How many shapes are drawn between two readings of the timer. The costliest take 70 million instructions, a tenth of
@@ -82,7 +83,18 @@ fn main() -> ! {
         frame: cortex_m::singleton!(: Frame = Frame::new()).expect("taken once"),
         blocks: cortex_m::singleton!(: [Rectangle; BLOCKS] = [Rectangle::zero(); BLOCKS]).expect("taken once"),
     };
-    let rows = Scene::ALL.map(|scene| (scene, bench.measure(scene)));
+    let rows = [
+        bench.scene(Scene::Triangles(10)),
+        bench.scene(Scene::Triangles(50)),
+        bench.scene(Scene::Triangles(200)),
+        bench.scene(Scene::Circles(5)),
+        bench.scene(Scene::Circles(20)),
+        bench.scene(Scene::Circles(100)),
+        bench.scene(Scene::Lines(50)),
+        bench.scene(Scene::Lines(200)),
+        bench.star(),
+        bench.concave_64(),
+    ];
 
     let mut host = hio::hstdout().expect("the host takes text");
     print_table(&mut host, &rows).and_then(|()| print_csv(&mut host, &rows)).expect("the host takes text");
@@ -100,6 +112,14 @@ struct Cost {
     anti_aliased_over: u32,
 }
 
+struct Row {
+    name: &'static str,
+    /// What the size is of.
+    size_name: &'static str,
+    size_px: i32,
+    cost: Cost,
+}
+
 struct Bench {
     counter: InstructionCounter,
     frame: &'static mut Frame,
@@ -107,10 +127,10 @@ struct Bench {
 }
 
 impl Bench {
-    fn measure(&mut self, scene: Scene) -> Cost {
+    fn scene(&mut self, scene: Scene) -> Row {
         let pixel = |[x, y]: PixelPoint| Point::new(x, y);
         let filled = PrimitiveStyle::with_fill(COLOUR);
-        match scene {
+        let cost = match scene {
             Scene::Triangles(box_px) => {
                 let shapes = triangles(box_px).map(|vertices| vertices.map(pixel));
                 let theirs = shapes.map(|[a, b, c]| eg::Triangle::new(a, b, c).into_styled(filled));
@@ -134,19 +154,25 @@ impl Bench {
                 let ours = ends.map(|[start, end]| Line::new(start, end));
                 self.compare(theirs, ours)
             }
-            Scene::Star => {
-                let filled = STAR_POLYGON.with_capacity::<{ STAR_POLYGON.active_edges() }>();
-                let covered = STAR_POLYGON.coverage_with::<{ STAR_POLYGON.coverage_edges() }, CELLS>();
-                let (filled, covered) = (filled.expect("it has what it needs"), covered.expect("it has what it needs"));
-                self.polygon(|| filled.filled(COLOUR), || covered)
-            }
-            Scene::Concave64 => {
-                let filled = CONCAVE_64_POLYGON.with_capacity::<{ CONCAVE_64_POLYGON.active_edges() }>();
-                let covered = CONCAVE_64_POLYGON.coverage_with::<{ CONCAVE_64_POLYGON.coverage_edges() }, CELLS>();
-                let (filled, covered) = (filled.expect("it has what it needs"), covered.expect("it has what it needs"));
-                self.polygon(|| filled.filled(COLOUR), || covered)
-            }
-        }
+            Scene::Stars(_) | Scene::Concave64(_) => unreachable!("a constant of each is measured"),
+        };
+        Row { name: scene.name(), size_name: scene.size_name(), size_px: scene.size_px(), cost }
+    }
+
+    fn star(&mut self) -> Row {
+        let filled = STAR_POLYGON.with_capacity::<{ STAR_POLYGON.active_edges() }>();
+        let covered = STAR_POLYGON.coverage_with::<{ STAR_POLYGON.coverage_edges() }, CELLS>();
+        let (filled, covered) = (filled.expect("it has what it needs"), covered.expect("it has what it needs"));
+        let cost = self.polygon(|| filled.filled(COLOUR), || covered);
+        Row { name: "star", size_name: "radius", size_px: STAR_RADIUS_PX, cost }
+    }
+
+    fn concave_64(&mut self) -> Row {
+        let filled = CONCAVE_64_POLYGON.with_capacity::<{ CONCAVE_64_POLYGON.active_edges() }>();
+        let covered = CONCAVE_64_POLYGON.coverage_with::<{ CONCAVE_64_POLYGON.coverage_edges() }, CELLS>();
+        let (filled, covered) = (filled.expect("it has what it needs"), covered.expect("it has what it needs"));
+        let cost = self.polygon(|| filled.filled(COLOUR), || covered);
+        Row { name: "concave-64", size_name: "radius", size_px: CONCAVE_RADIUS_PX, cost }
     }
 
     fn compare<S: Copy + Fill + Cover>(
@@ -220,8 +246,6 @@ impl Bench {
     }
 }
 
-type Row = (Scene, Cost);
-
 fn print_table(host: &mut HostStream, rows: &[Row]) -> fmt::Result {
     writeln!(
         host,
@@ -229,8 +253,8 @@ fn print_table(host: &mut HostStream, rows: &[Row]) -> fmt::Result {
          | anti-aliased | anti-aliased, `Over` | anti-aliased / aliased |\n\
          |---|--:|--:|--:|--:|--:|--:|--:|--:|"
     )?;
-    for (scene, cost) in rows {
-        write!(host, "| {}, {} {} px | ", scene.name(), scene.size_name(), scene.size_px())?;
+    for Row { name, size_name, size_px, cost } in rows {
+        write!(host, "| {name}, {size_name} {size_px} px | ")?;
         if let Some(instructions) = cost.embedded_graphics {
             write!(host, "{instructions}")?;
         }
@@ -256,10 +280,9 @@ fn write_ratio(host: &mut HostStream, numerator: u32, denominator: u32) -> fmt::
 /// After an empty line. `px` is the size that belongs to the scene's name, see [`Scene::size_px`].
 fn print_csv(host: &mut HostStream, rows: &[Row]) -> fmt::Result {
     writeln!(host, "\nscene,variant,target,px,instructions")?;
-    for (scene, cost) in rows {
-        let mut row = |variant: &str, instructions: u32| {
-            writeln!(host, "{},{variant},cortex-m4,{},{instructions}", scene.name(), scene.size_px())
-        };
+    for Row { name, size_px, cost, .. } in rows {
+        let mut row =
+            |variant: &str, instructions: u32| writeln!(host, "{name},{variant},cortex-m4,{size_px},{instructions}");
         if let Some(instructions) = cost.embedded_graphics {
             row("embedded-graphics", instructions)?;
         }

@@ -14,9 +14,12 @@ Commands:
                      panic path.
   oled [OUT]         Runs `oled` on an emulated board and saves what its panel shows: 512 x 256, each pixel 4 x 4.
                      OUT ends in .png or .ppm. [default: oled.png]
-  cycles [--csv OUT] [--readme FILE]
+  cycles [--csv OUT] [--readme FILE] [--check]
                      Runs `cycles` on an emulated Cortex-M4: a table of instructions a shape. The CSV rows follow the
                      table, or go to OUT. In FILE, the table replaces what stands between its two `cycles` markers.
+  cycles_aa [--csv OUT] [--readme FILE] [--check]
+                     The same for `cycles_aa`: anti-aliased outlines, on a Cortex-M4F; the markers are `cycles_aa`.
+                     Both: --check fails where there are more instructions than in examples/firmware/bars.csv.
 
 Environment:
   SPANFILL_TOOLCHAIN   `rustup`: the toolchain in use, with rustup's targets, which are added where they are missing.
@@ -80,7 +83,7 @@ cargo_for() {
         need /usr/lib/rustlib/src/rust/library/core rust-web-src
         need ld.lld lld
         # RUSTC_BOOTSTRAP: `-Z build-std` is not a stable option of cargo.
-        env -u LD_LIBRARY_PATH RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 /usr/bin/cargo "$command" -Z build-std=core \
+        env -u LD_LIBRARY_PATH RUSTC=/usr/bin/rustc RUSTC_BOOTSTRAP=1 /usr/bin/cargo "$command" -Z build-std=core,alloc \
             --config "target.$target.linker = 'ld.lld'" \
             --release --target "$target" --target-dir "$target_dir/debian-toolchain" "$@"
         ;;
@@ -109,6 +112,7 @@ build_everything() {
     done
     build_oled >/dev/null
     build_cycles >/dev/null
+    build_cycles_aa >/dev/null
     echo "run.sh: linking no_panic, which fails if the library has a panic path" >&2
     # Every shape with every blending is more than the board has room for, and need not run.
     build_firmware no_panic thumbv7m-none-eabi --features embedded-graphics \
@@ -121,6 +125,10 @@ build_oled() {
 
 build_cycles() {
     build_firmware cycles thumbv7em-none-eabi
+}
+
+build_cycles_aa() {
+    build_firmware cycles_aa thumbv7em-none-eabihf
 }
 
 # --- Running ---------------------------------------------------------------------------------------------------------
@@ -178,19 +186,26 @@ await_reply() {
     fail "QEMU's monitor does not answer"
 }
 
+# run_cycles EXAMPLE [ARGUMENT...]
 run_cycles() {
-    local csv= readme=
+    local example=$1 csv= readme= check=
+    shift
     while (($#)); do
         case $1 in
         --csv) csv=$(in_caller_dir "${2:?--csv needs the name of a file}") ;;
         --readme) readme=$(in_caller_dir "${2:?--readme needs the name of a file}") ;;
-        *) fail "cycles does not know '$1'; see --help" ;;
+        --check)
+            check=yes
+            shift
+            continue
+            ;;
+        *) fail "$example does not know '$1'; see --help" ;;
         esac
         shift 2
     done
     need qemu-system-arm qemu-system-arm
     local elf
-    elf=$(build_cycles)
+    elf=$("build_$example")
 
     # The firmware ends QEMU itself, with a status other than 0 if it panics. The longest run seen took 5 seconds.
     timeout 300 qemu-system-arm -machine mps2-an386 -icount shift=0 -nographic \
@@ -198,22 +213,40 @@ run_cycles() {
         fail "the firmware failed: $(cat "$scratch/said")"
     # An empty line parts the table from the rows.
     sed '/^$/,$d' "$scratch/said" | tee "$scratch/table"
+    sed '1,/^$/d' "$scratch/said" >"$scratch/rows"
     if [[ -n $csv ]]; then
-        sed '1,/^$/d' "$scratch/said" >"$csv"
+        cp "$scratch/rows" "$csv"
     else
-        sed -n '/^$/,$p' "$scratch/said"
+        echo
+        cat "$scratch/rows"
     fi
-    [[ -z $readme ]] || put_table_into "$readme"
+    [[ -z $readme ]] || put_table_into "$readme" "$example"
+    [[ -z $check ]] || check_bars
 }
 
-# put_table_into FILE: replaces what stands between its two markers.
+# Fails when a row has more instructions than its bar, or when no row has a bar.
+check_bars() {
+    awk -F, '
+        NR == FNR { if (FNR > 1) bars[$1 "," $2 "," $3 "," $4] = $5; next }
+        ($1 "," $2 "," $3 "," $4) in bars {
+            bar = bars[$1 "," $2 "," $3 "," $4]
+            verdict = $5 <= bar ? "reached" : "NOT reached"
+            printf "    %-12s %3d %-12s at most %8d instructions: %8d, %s\n", $1, $4, $2, bar, $5, verdict
+            seen++
+            if ($5 > bar) failed++
+        }
+        END { exit failed > 0 || seen == 0 }
+    ' examples/firmware/bars.csv "$scratch/rows" || fail "not every bar of examples/firmware/bars.csv is reached"
+}
+
+# put_table_into FILE NAME: replaces what stands between its two markers of that name.
 put_table_into() {
-    grep -q '<!-- cycles:begin -->' "$1" && grep -q '<!-- cycles:end -->' "$1" ||
-        fail "$1 has no lines <!-- cycles:begin --> and <!-- cycles:end -->"
-    awk -v table="$scratch/table" '
-        /<!-- cycles:end -->/ { skipping = 0 }
+    local begin="<!-- $2:begin -->" end="<!-- $2:end -->"
+    grep -qF "$begin" "$1" && grep -qF "$end" "$1" || fail "$1 has no lines $begin and $end"
+    awk -v table="$scratch/table" -v begin="$begin" -v end="$end" '
+        index($0, end) { skipping = 0 }
         !skipping { print }
-        /<!-- cycles:begin -->/ { skipping = 1; print ""; while ((getline line < table) > 0) print line; print "" }
+        index($0, begin) { skipping = 1; print ""; while ((getline line < table) > 0) print line; print "" }
     ' "$1" >"$scratch/readme"
     cat "$scratch/readme" >"$1"
 }
@@ -227,7 +260,7 @@ case $command in
     usage
     exit
     ;;
-build | oled | cycles) ;;
+build | oled | cycles | cycles_aa) ;;
 *) fail "there is no '$command'; see --help" ;;
 esac
 
@@ -255,5 +288,5 @@ target_dir=$(in_caller_dir "${CARGO_TARGET_DIR:-$PWD/target}")
 case $command in
 build) build_everything ;;
 oled) run_oled "$(in_caller_dir "${1:-oled.png}")" ;;
-cycles) run_cycles "$@" ;;
+cycles | cycles_aa) run_cycles "$command" "$@" ;;
 esac

@@ -37,6 +37,6 @@ pub(super) fn drawing(scene: Scene) -> Option<Box<dyn Drawing>> {
                 draw(&Line::new(start, end).into_styled(thin), &mut **frame);
             })
         }
-        Scene::Star | Scene::Concave64 => return None,
+        Scene::Stars(_) | Scene::Concave64(_) => return None,
     })
 }

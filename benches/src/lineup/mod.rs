@@ -15,6 +15,9 @@ mod tiny_skia_aa;
 mod vello_cpu;
 mod zeno;
 
+pub(crate) use tiny_skia::pixmap;
+pub(crate) use vello_cpu::renderer_at;
+
 use std::convert::Infallible;
 
 use ::embedded_graphics::{pixelcolor::Rgb565, prelude::*};
@@ -29,12 +32,11 @@ use crate::{
 /// The scene drawn by the variant; `None` for what the library has not got.
 pub(crate) fn drawing(scene: Scene, variant: Variant) -> Option<Box<dyn Drawing>> {
     match variant {
-        Variant::Spanfill => Some(spanfill::drawing(scene)),
+        Variant::Spanfill | Variant::Aliased => Some(spanfill::drawing(scene)),
         Variant::EmbeddedGraphics => embedded_graphics::drawing(scene),
         Variant::TinySkia => Some(tiny_skia::drawing(scene)),
         Variant::TinySkiaKeptPath => Some(tiny_skia::drawing_kept_paths(scene)),
         Variant::Floor => Some(spanfill::floor(scene)),
-        Variant::Aliased => Some(spanfill::copied_drawing(scene)),
         Variant::AntiAliased => Some(spanfill_aa::drawing(scene)),
         Variant::AntiAliasedOver => Some(spanfill_aa::drawing_over(scene)),
         Variant::Mask => Some(spanfill_aa::mask(scene)),
@@ -44,6 +46,7 @@ pub(crate) fn drawing(scene: Scene, variant: Variant) -> Option<Box<dyn Drawing>
         }
         Variant::TinySkiaAntiAliased => Some(tiny_skia_aa::drawing(scene)),
         Variant::Vello => Some(vello_cpu::drawing(scene)),
+        Variant::VelloBaseline => Some(vello_cpu::drawing_at_baseline(scene)),
         Variant::VelloAlone => Some(vello_cpu::drawing_alone(scene)),
         Variant::Zeno => Some(zeno::drawing(scene)),
         Variant::AbGlyph => Some(ab_glyph::drawing(scene)),
@@ -97,14 +100,6 @@ const COLOUR: Rgb565 = Rgb565::CSS_ORANGE;
 /// As many of the scene's endless shapes as are drawn.
 fn some<T>(scene: Scene, endless: impl Iterator<Item = T>) -> Vec<T> {
     endless.take(shapes(scene)).collect()
-}
-
-/// How often the star and the 64-gon are in the anti-aliased scenes: as often as vello_cpu is given them at once.
-pub(crate) const COPIES: usize = 32;
-
-/// One shape, time and again.
-fn copies<T>(shape: impl Fn() -> T) -> Vec<T> {
-    (0..COPIES).map(|_| shape()).collect()
 }
 
 fn point([x, y]: PixelPoint) -> Point {

@@ -3,9 +3,9 @@
 use std::array;
 
 use crate::{
-    lineup::{copies, some},
+    lineup::some,
     picture::Bounds,
-    scenes::{CONCAVE_64, PixelPoint, STAR, Scene, SubpixelPoint, circles, lines, triangles},
+    scenes::{PixelPoint, Scene, SubpixelPoint, circles, concave_polygons, lines, stars, triangles},
 };
 
 /// x and y in pixels, (0, 0) being the top-left corner of the top-left pixel.
@@ -105,28 +105,32 @@ impl<const N: usize> Outline for PolygonOutline<N> {
     }
 }
 
-/// The star without its inner lines, which an area that adds up may not cross.
-pub(crate) fn star_outline() -> impl Outline {
-    let tips = STAR.map(position);
+/// A star without its inner lines, which an area that adds up may not cross.
+pub(crate) fn star_outline(star: [SubpixelPoint; 5]) -> impl Outline {
+    let tips = star.map(position);
     // Each edge goes to the tip after the next; so from a tip, the outline follows its edge up to where the next tip's
     // crosses it.
     let around: [Position; 5] = array::from_fn(|turn| tips[turn * 3 % 5]);
-    UnionOutline(array::from_fn(|index| {
+    let outline = array::from_fn(|index| {
         let (tip, next, after_next, before) =
             (around[index / 2], around[(index / 2 + 1) % 5], around[(index / 2 + 2) % 5], around[(index / 2 + 4) % 5]);
         if index % 2 == 0 { tip } else { crossing((tip, after_next), (next, before)) }
-    }))
+    });
+    UnionOutline { outline, bounds: PolygonOutline(star).bounds() }
 }
 
-struct UnionOutline([Position; 10]);
+struct UnionOutline {
+    outline: [Position; 10],
+    bounds: Bounds,
+}
 
 impl Outline for UnionOutline {
     fn trace(&self, pen: &mut impl Pen) {
-        pen.polygon(&self.0);
+        pen.polygon(&self.outline);
     }
 
     fn bounds(&self) -> Bounds {
-        PolygonOutline(STAR).bounds()
+        self.bounds
     }
 }
 
@@ -170,15 +174,15 @@ pub(super) fn with_outlines<V: OutlineVisitor>(scene: Scene, visitor: V) -> V::O
             visitor.visit(some(scene, circles(radius_px).map(|centre| CircleOutline { centre, radius_px })))
         }
         Scene::Lines(box_px) => visitor.visit(some(scene, lines(box_px).map(LineOutline))),
-        Scene::Star => visitor.visit(copies(|| PolygonOutline(STAR))),
-        Scene::Concave64 => visitor.visit(copies(|| PolygonOutline(CONCAVE_64))),
+        Scene::Stars(radius_px) => visitor.visit(some(scene, stars(radius_px).map(PolygonOutline))),
+        Scene::Concave64(radius_px) => visitor.visit(some(scene, concave_polygons(radius_px).map(PolygonOutline))),
     }
 }
 
 /// The same areas, by outlines that do not cross themselves.
 pub(crate) fn with_simple_outlines<V: OutlineVisitor>(scene: Scene, visitor: V) -> V::Output {
     match scene {
-        Scene::Star => visitor.visit(copies(star_outline)),
+        Scene::Stars(radius_px) => visitor.visit(some(scene, stars(radius_px).map(star_outline))),
         _ => with_outlines(scene, visitor),
     }
 }

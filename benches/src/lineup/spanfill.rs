@@ -5,21 +5,14 @@ use spanfill::{ActiveEdge, Circle, Fill, Line, Polygon, Triangle, Vertex};
 
 use crate::{
     drawing::{Drawing, On},
-    lineup::{COLOUR, copies, point, some},
-    scenes::{CONCAVE_64, Frame, PixelPoint, RecordBlocks, STAR, Scene, SubpixelPoint, circles, lines, triangles},
+    lineup::{COLOUR, point, some},
+    scenes::{
+        Frame, PixelPoint, RecordBlocks, Scene, SubpixelPoint, circles, concave_polygons, lines, stars, triangles,
+    },
 };
 
 pub(super) fn drawing(scene: Scene) -> Box<dyn Drawing> {
     with_figures(scene, Draw)
-}
-
-/// The same with the outlines as often as the anti-aliased scenes have them.
-pub(super) fn copied_drawing(scene: Scene) -> Box<dyn Drawing> {
-    match scene {
-        Scene::Star => Draw.visit(copies(|| OutlineFigure(STAR))),
-        Scene::Concave64 => Draw.visit(copies(|| OutlineFigure(CONCAVE_64))),
-        _ => drawing(scene),
-    }
 }
 
 pub(super) fn floor(scene: Scene) -> Box<dyn Drawing> {
@@ -91,8 +84,8 @@ fn with_figures(scene: Scene, visitor: impl FigureVisitor) -> Box<dyn Drawing> {
             visitor.visit(some(scene, circles(radius_px).map(|centre| CircleFigure { centre, radius_px })))
         }
         Scene::Lines(box_px) => visitor.visit(some(scene, lines(box_px).map(LineFigure))),
-        Scene::Star => visitor.visit(vec![OutlineFigure(STAR)]),
-        Scene::Concave64 => visitor.visit(vec![OutlineFigure(CONCAVE_64)]),
+        Scene::Stars(radius_px) => visitor.visit(some(scene, stars(radius_px).map(OutlineFigure))),
+        Scene::Concave64(radius_px) => visitor.visit(some(scene, concave_polygons(radius_px).map(OutlineFigure))),
     }
 }
 

@@ -10,10 +10,11 @@ use spanfill::{
 
 use crate::{
     drawing::{Drawing, On},
-    lineup::{COLOUR, copies, point, some},
+    lineup::{COLOUR, point, some},
     picture::{Bounds, Coverage, Mask, no_coverage},
     scenes::{
-        CONCAVE_64, FRAME_HEIGHT, FRAME_WIDTH, Frame, PixelPoint, STAR, Scene, SubpixelPoint, circles, lines, triangles,
+        FRAME_HEIGHT, FRAME_WIDTH, Frame, PixelPoint, Scene, SubpixelPoint, circles, concave_polygons, lines, stars,
+        triangles,
     },
 };
 
@@ -125,8 +126,8 @@ fn with_figures(scene: Scene, visitor: impl FigureVisitor) -> Box<dyn Drawing> {
             visitor.visit(some(scene, circles(radius_px).map(|centre| CircleFigure { centre, radius_px })))
         }
         Scene::Lines(box_px) => visitor.visit(some(scene, lines(box_px).map(LineFigure))),
-        Scene::Star => visitor.visit(copies(|| OutlineFigure(STAR))),
-        Scene::Concave64 => visitor.visit(copies(|| OutlineFigure(CONCAVE_64))),
+        Scene::Stars(radius_px) => visitor.visit(some(scene, stars(radius_px).map(OutlineFigure))),
+        Scene::Concave64(radius_px) => visitor.visit(some(scene, concave_polygons(radius_px).map(OutlineFigure))),
     }
 }
 

@@ -5,13 +5,13 @@ use spanfill::{Circle, Polygon, Samples, Triangle, Vertex};
 use crate::{
     drawing::Drawing,
     lineup::{
-        copies, point, some,
+        point, some,
         spanfill_aa::{
             CircleFigure, CoverVisitor, Figure, FigureVisitor, IntoMask, OutlineFigure, OverFrame, Scratch,
             TriangleFigure,
         },
     },
-    scenes::{CONCAVE_64, STAR, Scene, circles, triangles},
+    scenes::{Scene, circles, concave_polygons, stars, triangles},
 };
 
 /// Blended over what the frame shows.
@@ -35,8 +35,14 @@ fn with_figures(scene: Scene, samples: Samples, visitor: impl FigureVisitor) -> 
             visitor.visit(some(scene, figures))
         }
         Scene::Lines(_) => return None,
-        Scene::Star => visitor.visit(copies(|| Sampled(OutlineFigure(STAR), samples))),
-        Scene::Concave64 => visitor.visit(copies(|| Sampled(OutlineFigure(CONCAVE_64), samples))),
+        Scene::Stars(radius_px) => {
+            let figures = stars(radius_px).map(|outline| Sampled(OutlineFigure(outline), samples));
+            visitor.visit(some(scene, figures))
+        }
+        Scene::Concave64(radius_px) => {
+            let figures = concave_polygons(radius_px).map(|outline| Sampled(OutlineFigure(outline), samples));
+            visitor.visit(some(scene, figures))
+        }
     })
 }
 

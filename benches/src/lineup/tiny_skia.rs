@@ -6,7 +6,7 @@ use crate::{
     drawing::{Drawing, On},
     lineup::some,
     scenes::{
-        CONCAVE_64, FRAME_HEIGHT, FRAME_WIDTH, PixelPoint, STAR, Scene, SubpixelPoint, circles, lines, triangles,
+        FRAME_HEIGHT, FRAME_WIDTH, PixelPoint, Scene, SubpixelPoint, circles, concave_polygons, lines, stars, triangles,
     },
 };
 
@@ -30,12 +30,18 @@ pub(super) fn drawing(scene: Scene) -> Box<dyn Drawing> {
                 stroke(pixmap, &paint, line_path(ends));
             })
         }
-        Scene::Star => On::boxed(pixmap, vec![STAR], move |outline: &[_; 5], pixmap: &mut Pixmap| {
-            fill(pixmap, &paint, outline_path(outline));
-        }),
-        Scene::Concave64 => On::boxed(pixmap, vec![CONCAVE_64], move |outline: &[_; 64], pixmap: &mut Pixmap| {
-            fill(pixmap, &paint, outline_path(outline));
-        }),
+        Scene::Stars(radius_px) => {
+            On::boxed(pixmap, some(scene, stars(radius_px)), move |outline: &[_; 5], pixmap: &mut Pixmap| {
+                fill(pixmap, &paint, outline_path(outline));
+            })
+        }
+        Scene::Concave64(radius_px) => On::boxed(
+            pixmap,
+            some(scene, concave_polygons(radius_px)),
+            move |outline: &[_; 64], pixmap: &mut Pixmap| {
+                fill(pixmap, &paint, outline_path(outline));
+            },
+        ),
     }
 }
 
@@ -46,8 +52,8 @@ pub(super) fn drawing_kept_paths(scene: Scene) -> Box<dyn Drawing> {
         Scene::Triangles(box_px) => some(scene, triangles(box_px).map(|vertices| triangle_path(&vertices))),
         Scene::Circles(radius_px) => some(scene, circles(radius_px).map(|centre| circle_path(centre, radius_px))),
         Scene::Lines(box_px) => some(scene, lines(box_px).map(|ends| line_path(&ends))),
-        Scene::Star => vec![outline_path(&STAR)],
-        Scene::Concave64 => vec![outline_path(&CONCAVE_64)],
+        Scene::Stars(radius_px) => some(scene, stars(radius_px).map(|outline| outline_path(&outline))),
+        Scene::Concave64(radius_px) => some(scene, concave_polygons(radius_px).map(|outline| outline_path(&outline))),
     };
     let paint = paint();
     On::boxed(pixmap(), paths, move |path: &Option<Path>, pixmap: &mut Pixmap| match path {
@@ -57,7 +63,7 @@ pub(super) fn drawing_kept_paths(scene: Scene) -> Box<dyn Drawing> {
     })
 }
 
-pub(super) fn pixmap() -> Pixmap {
+pub(crate) fn pixmap() -> Pixmap {
     Pixmap::new(FRAME_WIDTH.unsigned_abs(), FRAME_HEIGHT.unsigned_abs()).expect("the frame has a size")
 }
 

@@ -8,40 +8,54 @@
 use std::{fmt, hint::black_box, ops::Range};
 
 use vello_cpu::{
-    Pixmap, RasterizerSettings, RenderContext, RenderSettings, Resources, TargetInit,
+    Level, Pixmap, RasterizerSettings, RenderContext, RenderSettings, Resources, TargetInit,
     color::palette::css,
     kurbo::{Affine, BezPath, Circle},
 };
 
 use crate::{
     drawing::Drawing,
-    lineup::{
-        COPIES,
-        outline::{Outline, OutlineVisitor, Pen, Position, with_outlines},
-    },
+    lineup::outline::{Outline, OutlineVisitor, Pen, Position, with_outlines},
     picture::{Bounds, Picture},
     scenes::{FRAME_HEIGHT, FRAME_WIDTH, Scene},
 };
 
+/// By the best instructions that the processor has, found at run time.
 pub(super) fn drawing(scene: Scene) -> Box<dyn Drawing> {
+    drawing_at(scene, best_level())
+}
+
+/// By those that every processor of the target has.
+pub(super) fn drawing_at_baseline(scene: Scene) -> Box<dyn Drawing> {
+    drawing_at(scene, Level::baseline())
+}
+
+fn best_level() -> Level {
+    RenderSettings::default().level
+}
+
+fn drawing_at(scene: Scene, level: Level) -> Box<dyn Drawing> {
     // So many that rendering the rest of the picture is a few hundredths of the time, and no more, as each batch is
     // timed in one turn.
     let batch = match scene {
-        Scene::Triangles(size_px) | Scene::Circles(size_px) if size_px <= 10 => 500,
-        Scene::Triangles(..=50) | Scene::Circles(..=20) | Scene::Lines(..=50) => 200,
+        Scene::Triangles(size_px) | Scene::Circles(size_px) | Scene::Concave64(size_px) if size_px <= 10 => 500,
+        Scene::Triangles(..=50) | Scene::Circles(..=20) | Scene::Lines(..=50) | Scene::Concave64(..=20) => 200,
         Scene::Triangles(_) | Scene::Lines(_) => 100,
-        Scene::Circles(_) | Scene::Star | Scene::Concave64 => COPIES,
+        Scene::Circles(_) | Scene::Stars(_) | Scene::Concave64(_) => 32,
     };
-    with_outlines(scene, Batches(batch))
+    with_outlines(scene, Batches { batch, level })
 }
 
-struct Batches(usize);
+struct Batches {
+    batch: usize,
+    level: Level,
+}
 
 impl OutlineVisitor for Batches {
     type Output = Box<dyn Drawing>;
 
     fn visit<O: Outline>(self, outlines: Vec<O>) -> Box<dyn Drawing> {
-        Box::new(InBatches { renderer: Renderer::new(), outlines, batch: self.0 })
+        Box::new(InBatches { renderer: Renderer::new(self.level), outlines, batch: self.batch })
     }
 }
 
@@ -55,7 +69,7 @@ impl OutlineVisitor for Alone {
     type Output = Box<dyn Drawing>;
 
     fn visit<O: Outline>(self, outlines: Vec<O>) -> Box<dyn Drawing> {
-        Box::new(OneByOne { renderer: Renderer::new(), outlines })
+        Box::new(OneByOne { renderer: Renderer::new(best_level()), outlines })
     }
 }
 
@@ -71,11 +85,15 @@ struct Renderer {
 const WIDTH: u16 = FRAME_WIDTH as u16;
 const HEIGHT: u16 = FRAME_HEIGHT as u16;
 
+/// For pictures of the frame's size; no threads.
+pub(crate) fn renderer_at(level: Level) -> RenderContext {
+    RenderContext::new_with(WIDTH, HEIGHT, RenderSettings { level, num_threads: 0 })
+}
+
 impl Renderer {
-    /// The best instructions that the processor has are found at run time; no threads.
-    fn new() -> Self {
+    fn new(level: Level) -> Self {
         Self {
-            context: RenderContext::new_with(WIDTH, HEIGHT, RenderSettings { num_threads: 0, ..Default::default() }),
+            context: renderer_at(level),
             resources: Resources::new(),
             picture: Pixmap::new(WIDTH, HEIGHT),
             path: BezPath::new(),

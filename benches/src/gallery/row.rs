@@ -1,0 +1,61 @@
+//! A drawing measured, and all of them as CSV, with the columns that the scenes have.
+
+use std::fmt;
+
+use crate::{environment::TARGET, gallery::is_for_growth, row::Unit, variant::Variant};
+
+/// A variant measured on a drawing.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Row {
+    pub(crate) drawing: String,
+    pub(crate) vertices: usize,
+    pub(crate) variant: Variant,
+    /// Of a picture.
+    pub(crate) cost: f64,
+    /// The mean over all channels from what spanfill shows, in 255ths; `None` for what is no picture.
+    pub(crate) difference: Option<f64>,
+}
+
+/// The rows of one run.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Rows {
+    pub(crate) unit: Unit,
+    pub(crate) rows: Vec<Row>,
+}
+
+impl Rows {
+    pub(crate) fn get(&self, drawing: &str, variant: Variant) -> Option<&Row> {
+        self.rows.iter().find(|row| row.drawing == drawing && row.variant == variant)
+    }
+
+    /// What the one costs, over what the other costs.
+    pub(crate) fn ratio(&self, drawing: &str, one: Variant, other: Variant) -> Option<f64> {
+        Some(self.get(drawing, one)?.cost / self.get(drawing, other)?.cost)
+    }
+
+    /// Those of the table, in the order in which they were measured: not those that are there for their growth.
+    pub(crate) fn drawings(&self) -> Vec<&str> {
+        let mut names: Vec<&str> = self.rows.iter().map(|row| &*row.drawing).collect();
+        names.dedup();
+        names.retain(|name| !is_for_growth(name));
+        names
+    }
+
+    /// The geometric mean of that ratio over all drawings that have it.
+    pub(crate) fn mean_ratio(&self, drawings: &[&str], one: Variant, other: Variant) -> Option<f64> {
+        let ratios: Vec<f64> = drawings.iter().filter_map(|drawing| self.ratio(drawing, one, other)).collect();
+        (!ratios.is_empty()).then(|| (ratios.iter().map(|ratio| ratio.ln()).sum::<f64>() / ratios.len() as f64).exp())
+    }
+}
+
+/// As CSV: `px` is the number of vertices, `mean_err` the difference from spanfill's picture.
+impl fmt::Display for Rows {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "scene,variant,target,px,{},max_err,mean_err", self.unit.column())?;
+        for Row { drawing, vertices, variant, cost, difference } in &self.rows {
+            let difference = difference.map(|difference| format!("{difference:.2}")).unwrap_or_default();
+            writeln!(f, "{drawing},{variant},{TARGET},{vertices},{cost:.0},,{difference}")?;
+        }
+        Ok(())
+    }
+}
