@@ -14,7 +14,7 @@
 
 use crate::area::{
     accumulator::{Accumulator, FULL, WINDOW},
-    chain::CoverageEdge,
+    chain::{CoverageEdge, State},
     order,
     source::{FINE_BITS, FINE_ONE, Source},
     sweep,
@@ -75,8 +75,9 @@ pub(crate) fn fill(
         if fill.row >= height {
             break;
         }
+        let old = fill.table.active;
         fill.table.start(fill.row);
-        fill.table.advance(fill.row);
+        fill.table.advance(fill.row, old);
         if !fill.send_row(sink) {
             return false;
         }
@@ -111,7 +112,10 @@ impl Fill<'_, '_> {
         self.swept_from = usize::MAX;
         // The first chain that has to do with the window, and the winding to its left.
         let (mut first, mut winding) = (0, 0);
-        let Some(mut start) = self.table.chain_ref(0).map(|chain| (chain.low >> FINE_BITS).max(0)) else { return true };
+        if active == 0 {
+            return true;
+        }
+        let mut start = (self.table.place(0).low >> FINE_BITS).max(0);
         while start < self.width {
             let end = start + columns;
             self.accumulator.begin(start, self.inside.of(winding) * FULL);
@@ -123,8 +127,7 @@ impl Fill<'_, '_> {
             let mut place = first;
             let mut next_start = self.width;
             while place < active {
-                let Some(chain) = self.table.chain(place) else { break };
-                let column = chain.low >> FINE_BITS;
+                let column = self.table.place(place).low >> FINE_BITS;
                 if column >= end {
                     next_start = column.min(self.width);
                     break;
@@ -134,6 +137,7 @@ impl Fill<'_, '_> {
                 if !self.add_group(place, group_end) {
                     // The window once more, and at once from where the winding was flat to the right end.
                     self.swept_from = flat_place;
+                    self.sort_again(first, active);
                     self.accumulator.clear();
                     self.accumulator.begin(start, self.inside.of(winding) * FULL);
                     self.winding.set_flat(winding);
@@ -169,13 +173,10 @@ impl Fill<'_, '_> {
     /// The chains from `place` on whose extents overlap: the place behind the last, and how far they reach.
     #[inline(always)]
     fn group(&self, place: usize) -> (usize, i32) {
-        let mut high = self.table.chain_ref(place).map_or(i32::MIN, |chain| chain.high);
+        let mut high = self.table.chain(place).map_or(i32::MIN, |chain| chain.high);
         let mut end = place + 1;
-        while end < self.table.active {
-            match self.table.chain_ref(end) {
-                Some(chain) if chain.low < high || place == self.swept_from => high = high.max(chain.high),
-                _ => break,
-            }
+        while end < self.table.active && (self.table.place(end).low < high || place == self.swept_from) {
+            high = high.max(self.table.chain(end).map_or(i32::MIN, |chain| chain.high));
             end += 1;
         }
         (end, high)
@@ -184,23 +185,36 @@ impl Fill<'_, '_> {
     /// Adds a group; `false` where there are too many levels.
     #[inline(always)]
     fn add_group(&mut self, place: usize, end: usize) -> bool {
-        let is_swept = place == self.swept_from;
-        if end - place > 1 && (is_swept || !order::put_in_order(&mut self.table, place, end, self.row << FINE_BITS)) {
-            let is_known = sweep::sweep(self, place, end);
-            if is_swept {
-                // The right end of the row.
-                self.winding.set_flat(0);
-            }
-            return is_known || is_swept;
+        if end - place == 1 {
+            return self.add_chain(place);
         }
-        (place..end).all(|place| self.add_chain(place))
+        if place == self.swept_from {
+            sweep::sweep(self, place, end, true);
+            // The right end of the row.
+            self.winding.set_flat(0);
+            return true;
+        }
+        let row_top = self.row_top();
+        order::put_in_order(&mut self.table, place, end, row_top);
+        let mut at = place;
+        while at < end {
+            let mut joined_end = at + 1;
+            while joined_end < end && self.table.chain(joined_end).is_some_and(|chain| chain.state == State::Joined) {
+                joined_end += 1;
+            }
+            let is_known = if joined_end - at == 1 { self.add_chain(at) } else { sweep::sweep(self, at, joined_end, false) };
+            if !is_known {
+                return false;
+            }
+            at = joined_end;
+        }
+        true
     }
 
     /// The next window begins with these chains, too, and knows groups by their least columns.
     fn sort_again(&mut self, place: usize, end: usize) {
         for at in place + 1..end {
-            let Some(low) = self.table.chain_ref(at).map(|chain| chain.low) else { break };
-            self.table.sink(place, at, low);
+            self.table.sink(place, at);
         }
     }
 
@@ -209,8 +223,8 @@ impl Fill<'_, '_> {
         let row_top = self.row_top();
         let (source, inside) = (self.table.source, self.inside);
         let flat = self.winding.flat();
-        let slot = self.table.slot_of(place);
-        let Some(chain) = self.table.slots.get_mut(slot) else { return true };
+        let slot = self.table.place(place).slot;
+        let Some(chain) = self.table.slots.get_mut(slot as usize) else { return true };
         if let (Some(winding), true) = (flat, chain.is_whole()) {
             let weight = inside.weight(winding, chain.direction);
             self.winding.set_flat(winding + i32::from(chain.direction));
@@ -225,7 +239,7 @@ impl Fill<'_, '_> {
             .pass(chain.top, chain.bottom, i32::from(chain.direction), &mut |top, bottom, winding| {
                 let weight = inside.weight(winding, chain.direction);
                 if weight != 0 {
-                    chain.add_lines(&source, row_top, (top, bottom), weight, accumulator);
+                    chain.add_between(&source, row_top, (top, bottom), weight, accumulator);
                 }
             })
             .is_ok()

@@ -2,6 +2,8 @@
 
 mod accumulator;
 mod chain;
+mod contour_areas;
+mod far;
 mod fill;
 mod order;
 mod rounded;
@@ -12,5 +14,6 @@ mod winding;
 
 pub(crate) use accumulator::WINDOW;
 pub use chain::CoverageEdge;
-pub(crate) use fill::{AreaSink, Inside, fill};
+pub(crate) use contour_areas::send_contours;
+pub(crate) use fill::{AreaSink, Inside};
 pub(crate) use rounded::Rounded;

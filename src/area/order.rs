@@ -1,13 +1,17 @@
 //! Chains whose extents overlap, from left to right: compared along the heights that they share.
+//!
+//! The order is not transitive where two share no height, so every pair that overlaps is compared. Those that cross, and
+//! what lies between them, are joined, to be swept together. What is not joined lies on one side of the other at every
+//! height.
 
 use crate::area::{
-    chain::{CoverageEdge, Line},
+    chain::{CoverageEdge, Line, State},
     source::Source,
     table::Table,
 };
 
 /// What rounding may make of two columns that are equal, in 2^-32 pixel: 2^-18 pixel.
-pub(super) const TOLERANCE: i64 = 1 << 14;
+const TOLERANCE: i64 = 1 << 14;
 
 /// Where one chain lies, seen from another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,38 +24,59 @@ enum Side {
     Across,
 }
 
-/// Puts the chains of a group in order; `false` where some of them cross.
-///
-/// The order is not transitive where two share no height, so every pair that overlaps is compared.
-pub(super) fn put_in_order(table: &mut Table<'_, '_>, place: usize, end: usize, row_top: i32) -> bool {
+/// Puts the chains of a group in order, and joins those that cross.
+#[inline(never)]
+pub(super) fn put_in_order(table: &mut Table<'_, '_>, place: usize, end: usize, row_top: i32) {
+    if let Some(first) = table.chain_mut(place) {
+        first.state = State::Active;
+    }
     for new in place + 1..end {
-        let Some(&chain) = table.chain_ref(new) else { return true };
-        // Where it has to go, and behind what.
+        let low = table.place(new).low;
+        let Some(&chain) = table.chain(new) else { return };
+        // Where it has to go at the latest, and at the earliest; what has to be joined.
         let (mut to, mut behind) = (new, place);
+        let (mut first_crossed, mut behind_crossed) = (new, place);
         for other in (place..new).rev() {
-            let Some(left) = table.chain_ref(other) else { return true };
+            let Some(left) = table.chain(other) else { return };
             if left.top >= chain.bottom || chain.top >= left.bottom {
                 continue;
             }
-            let side = if left.high <= chain.low { Side::Left } else { side(left, &chain, &table.source, row_top) };
+            let side = if left.high <= low { Side::Left } else { side(left, &chain, &table.source, row_top) };
             match side {
                 Side::Left => behind = behind.max(other + 1),
                 Side::Right => to = other,
                 Side::Same => {}
-                Side::Across => return false,
+                Side::Across => {
+                    first_crossed = other;
+                    behind_crossed = behind_crossed.max(other + 1);
+                }
             }
         }
-        if to < behind {
-            return false;
-        }
-        let slot = table.slot_of(new);
-        for at in (to..new).rev() {
-            let left = table.slot_of(at);
-            table.set_order(at + 1, left);
-        }
-        table.set_order(to, slot);
+        // It goes to `at`, joined with all from `first` on: with what it crosses, or what contradicts the order.
+        let crosses = first_crossed < new;
+        let at = if crosses { behind.max(behind_crossed) } else { to.max(behind) };
+        insert(table, new, at, to.min(first_crossed).min(at));
     }
-    true
+}
+
+/// Moves the chain at `new` to `at`, and joins it with all from `first` on.
+fn insert(table: &mut Table<'_, '_>, new: usize, at: usize, first: usize) {
+    let place = table.place(new);
+    for left in (at..new).rev() {
+        let moved = table.place(left);
+        table.set_place(left + 1, moved);
+    }
+    table.set_place(at, place);
+    // Within what is joined it has to be joined, too.
+    let splits = at < new && table.chain(at + 1).is_some_and(|chain| chain.state == State::Joined);
+    if let Some(chain) = table.chain_mut(at) {
+        chain.state = if splits { State::Joined } else { State::Active };
+    }
+    for joined in first + 1..=at {
+        if let Some(chain) = table.chain_mut(joined) {
+            chain.state = State::Joined;
+        }
+    }
 }
 
 /// Where `a` lies, seen from `b`.

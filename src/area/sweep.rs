@@ -11,10 +11,12 @@
 //! J. L. Bentley and T. A. Ottmann, "Algorithms for reporting and counting geometric intersections", 1979, with the few
 //! chains of a group in place of trees.
 
+use core::ops::Range;
+
 use crate::area::{
-    chain::{Line, nearest},
+    chain::{Line, Place, nearest},
     fill::Fill,
-    source::FINE_ONE,
+    source::{FINE_BITS, FINE_ONE},
 };
 
 /// What the rounding of columns to 2^-16 pixel may make of two that are equal.
@@ -23,58 +25,104 @@ const TOLERANCE: i32 = 1;
 /// How often a band is made shorter at the most.
 const TRIES: usize = 64;
 
-/// Adds the chains of a group; `false` where there are too many levels for what comes behind it.
+/// So many chains are swept at once; more, column by column.
+const FEW: usize = 6;
+
+/// All columns.
+const ALL: Range<i64> = i64::MIN..i64::MAX;
+
+/// Adds chains that are joined; `false` where there are too many levels for what comes behind them.
 #[inline(never)]
-pub(super) fn sweep(fill: &mut Fill<'_, '_>, place: usize, end: usize) -> bool {
-    let mut y = 0;
-    while y < FINE_ONE {
-        y = fill.sweep_band(place, end, y);
+pub(super) fn sweep(fill: &mut Fill<'_, '_>, place: usize, end: usize, is_last: bool) -> bool {
+    if end - place <= FEW || is_last {
+        fill.sweep_columns(place, end, &ALL);
+        return fill.pass_columns(place, end, &ALL) || is_last;
     }
-    // The extents were in use for something else.
-    let row_top = fill.row_top();
-    let source = fill.table.source;
-    let mut is_known = true;
+    let (mut low, mut high) = (i32::MAX, i32::MIN);
     for at in place..end {
-        let Some(chain) = fill.table.chain(at) else { break };
-        chain.measure(&source, row_top);
-        let (low, top, bottom, direction) = (chain.low, chain.top, chain.bottom, i32::from(chain.direction));
-        is_known = is_known && fill.winding.pass(top, bottom, direction, &mut |_, _, _| {}).is_ok();
-        fill.table.sink(place, at, low);
+        low = low.min(fill.table.place(at).low);
+        high = high.max(fill.table.chain(at).map_or(i32::MIN, |chain| chain.high));
     }
-    is_known
+    (low >> FINE_BITS..=high >> FINE_BITS).all(|column| {
+        let columns = i64::from(column) << 32..(i64::from(column) + 1) << 32;
+        // Those that have a part in the column come first.
+        let mut among = place;
+        for at in place..end {
+            let here = fill.table.place(at);
+            let is_right = here.low >> FINE_BITS > column;
+            if !is_right && fill.table.chain(at).is_some_and(|chain| chain.high >> FINE_BITS >= column) {
+                let other = fill.table.place(among);
+                fill.table.set_place(among, here);
+                fill.table.set_place(at, other);
+                among += 1;
+            }
+        }
+        fill.sweep_columns(place, among, &columns);
+        fill.pass_columns(place, among, &columns)
+    })
 }
 
 impl Fill<'_, '_> {
+    fn sweep_columns(&mut self, place: usize, end: usize, columns: &Range<i64>) {
+        let mut y = 0;
+        while y < FINE_ONE {
+            y = self.sweep_band(place, end, y, columns);
+        }
+    }
+
+    /// The winding behind the columns; the extents, which were in use for something else, are found out again.
+    fn pass_columns(&mut self, place: usize, end: usize, columns: &Range<i64>) -> bool {
+        let (source, row_top) = (self.table.source, self.row_top());
+        let mut is_known = true;
+        for at in place..end {
+            let Some(chain) = self.table.chain_mut(at) else { break };
+            let low = chain.measure(&source, row_top);
+            let direction = i32::from(chain.direction);
+            for line in chain.lines(&source, row_top).filter_map(|line| line.within(columns)) {
+                is_known = is_known && self.winding.pass(line.y0, line.y1, direction, &mut |_, _, _| {}).is_ok();
+            }
+            let place = Place { low, ..self.table.place(at) };
+            self.table.set_place(at, place);
+        }
+        is_known
+    }
+
     /// Adds what lies between `y` and the next height at which anything changes, which is returned.
-    fn sweep_band(&mut self, place: usize, end: usize, y: i32) -> i32 {
+    fn sweep_band(&mut self, place: usize, end: usize, y: i32, columns: &Range<i64>) -> i32 {
         // The winding to the left.
         let level = self.winding.levels().iter().find(|level| level.end > y);
         let (mut to, mut winding) = level.map_or((FINE_ONE, 0), |level| (level.end, level.winding));
         // Those that are there come first.
         let mut live = place;
         for at in place..end {
-            let slot = self.table.slot_of(at);
-            let Some(chain) = self.table.slots.get(slot) else { continue };
+            let here = self.table.place(at);
+            let Some(chain) = self.table.chain(at) else { continue };
             if chain.top > y {
                 to = to.min(chain.top);
-            } else if let Some(line) = self.line_at(slot, y) {
+            } else if chain.bottom > y
+                && let Some(line) = self.line_at(here.slot, y, columns)
+            {
+                if line.y0 > y {
+                    to = to.min(line.y0);
+                    continue;
+                }
                 to = to.min(line.y1);
-                let other = self.table.slot_of(live);
-                self.table.set_order(live, slot);
-                self.table.set_order(at, other);
+                let other = self.table.place(live);
+                self.table.set_place(live, here);
+                self.table.set_place(at, other);
                 live += 1;
             }
         }
         if live == place {
             return to;
         }
-        to = self.sort_band(place, live, y, to);
+        to = self.sort_band(place, live, y, to, columns);
         for at in place..live {
-            let slot = self.table.slot_of(at);
-            let Some(chain) = self.table.slots.get(slot) else { break };
+            let slot = self.table.place(at).slot;
+            let Some(chain) = self.table.chain(at) else { break };
             let weight = self.inside.weight(winding, chain.direction);
             winding += i32::from(chain.direction);
-            if weight != 0 && let Some(line) = self.line_at(slot, y) {
+            if weight != 0 && let Some(line) = self.line_at(slot, y, columns) {
                 line.between(y, to).add(weight, &mut self.accumulator);
             }
         }
@@ -82,39 +130,41 @@ impl Fill<'_, '_> {
     }
 
     /// The line of a chain that goes on below a height.
-    fn line_at(&self, slot: usize, y: i32) -> Option<Line> {
-        let chain = self.table.slots.get(slot)?;
-        chain.lines(&self.table.source, self.row_top()).find(|line| line.y1 > y)
+    fn line_at(&self, slot: u32, y: i32, columns: &Range<i64>) -> Option<Line> {
+        let chain = self.table.slots.get(slot as usize)?;
+        chain.lines(&self.table.source, self.row_top()).filter_map(|line| line.within(columns)).find(|line| line.y1 > y)
     }
 
     /// Orders what is there between two heights, or down to the first crossing; `low` and `high` become the columns at both.
-    fn sort_band(&mut self, place: usize, live: usize, y: i32, mut to: i32) -> i32 {
+    fn sort_band(&mut self, place: usize, live: usize, y: i32, mut to: i32, columns: &Range<i64>) -> i32 {
         // A crossing that is found may hide an earlier one; rounded ones could go on without an end.
         for _ in 0..TRIES {
             for at in place..live {
-                let slot = self.table.slot_of(at);
-                let Some(line) = self.line_at(slot, y) else { continue };
+                let slot = self.table.place(at).slot;
+                let Some(line) = self.line_at(slot, y, columns) else { continue };
                 let (low, high) = (nearest(line.x_at(y)), nearest(line.x_at(to)));
-                if let Some(chain) = self.table.slots.get_mut(slot) {
-                    (chain.low, chain.high) = (low, high);
+                if let Some(chain) = self.table.chain_mut(at) {
+                    chain.high = high;
                 }
                 // By the column in the middle.
-                let mut to_place = at;
-                while to_place > place
-                    && self.table.chain_ref(to_place - 1).is_some_and(|left| {
-                        i64::from(left.low) + i64::from(left.high) > i64::from(low) + i64::from(high)
-                    })
-                {
-                    let left = self.table.slot_of(to_place - 1);
-                    self.table.set_order(to_place, left);
-                    to_place -= 1;
+                let middle = i64::from(low) + i64::from(high);
+                let mut free = at;
+                while free > place {
+                    let left = self.table.place(free - 1);
+                    let left_high = self.table.chain(free - 1).map_or(0, |left| left.high);
+                    if i64::from(left.low) + i64::from(left_high) <= middle {
+                        break;
+                    }
+                    self.table.set_place(free, left);
+                    free -= 1;
                 }
-                self.table.set_order(to_place, slot);
+                self.table.set_place(free, Place { low, slot });
             }
             let mut cut = to;
-            for at in place + 1..live {
-                let (Some(left), Some(right)) = (self.table.chain_ref(at - 1), self.table.chain_ref(at)) else { break };
-                let (above, below) = (right.low - left.low, right.high - left.high);
+            let mut left = (i32::MIN, i32::MIN);
+            for at in place..live {
+                let right = (self.table.place(at).low, self.table.chain(at).map_or(0, |chain| chain.high));
+                let (above, below) = (right.0.saturating_sub(left.0), right.1.saturating_sub(left.1));
                 if above < -TOLERANCE || below < -TOLERANCE {
                     let (above, below) = (i64::from(above.unsigned_abs()), i64::from(below.unsigned_abs()));
                     #[allow(clippy::cast_possible_truncation, reason = "at most the height of the band")]
@@ -123,6 +173,7 @@ impl Fill<'_, '_> {
                         cut = cut.min(crossing);
                     }
                 }
+                left = right;
             }
             if cut == to {
                 break;

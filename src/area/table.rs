@@ -6,7 +6,7 @@
 //! the latest tops are dropped, and looked for again when their row comes.
 
 use crate::area::{
-    chain::CoverageEdge,
+    chain::{CoverageEdge, Place, State},
     source::{FINE_BITS, Source},
 };
 
@@ -17,9 +17,8 @@ const NONE: u32 = u32::MAX;
 pub(super) struct Table<'a, 's> {
     pub(super) source: Source<'a>,
     pub(super) slots: &'s mut [CoverageEdge],
-    /// The first of the slots that hold nothing.
+    /// The first of the slots that hold nothing, in a list.
     free: u32,
-    free_count: usize,
     waiting: usize,
     pub(super) active: usize,
     /// From this row on, tops are missing.
@@ -29,32 +28,26 @@ pub(super) struct Table<'a, 's> {
 
 impl<'a, 's> Table<'a, 's> {
     pub(super) fn new(source: Source<'a>, slots: &'s mut [CoverageEdge], rows: i32) -> Self {
-        let mut table = Self { source, slots, free: NONE, free_count: 0, waiting: 0, active: 0, horizon: 0, rows };
-        for index in (0..u32::try_from(table.slots.len()).unwrap_or(NONE)).rev() {
-            if let Some(slot) = table.slots.get_mut(index as usize) {
-                slot.starting = NONE;
-            }
-            table.release(index);
+        let mut free = NONE;
+        for (slot, index) in slots.iter_mut().zip(0..NONE) {
+            (slot.starting, slot.state, slot.next) = (NONE, State::Free, free);
+            free = index;
         }
-        table
+        Self { source, slots, free, waiting: 0, active: 0, horizon: 0, rows }
     }
 
     #[inline]
     fn release(&mut self, index: u32) {
-        let free = core::mem::replace(&mut self.free, index);
         if let Some(slot) = self.slots.get_mut(index as usize) {
-            slot.low = free.cast_signed();
-            slot.direction = 0;
+            (slot.next, slot.state) = (self.free, State::Free);
+            self.free = index;
         }
-        self.free_count += 1;
     }
 
     #[inline]
     fn take_free(&mut self) -> Option<u32> {
         let index = self.free;
-        let slot = self.slots.get(index as usize)?;
-        self.free = slot.low.cast_unsigned();
-        self.free_count -= 1;
+        self.free = self.slots.get(index as usize)?.next;
         Some(index)
     }
 
@@ -64,7 +57,7 @@ impl<'a, 's> Table<'a, 's> {
         (row.unsigned_abs() as usize) % self.slots.len().max(1)
     }
 
-    /// Puts a top into its list. A waiting slot has its row in `high`, and no direction.
+    /// Puts a top into its list.
     fn wait(&mut self, contour: u32, index: u32, row: i32) {
         let Some(place) = self.take_free().or_else(|| self.drop_latest(row)) else {
             self.horizon = self.horizon.min(row);
@@ -73,7 +66,7 @@ impl<'a, 's> Table<'a, 's> {
         let list = self.list_of(row);
         let next = self.slots.get_mut(list).map_or(NONE, |slot| core::mem::replace(&mut slot.starting, place));
         if let Some(slot) = self.slots.get_mut(place as usize) {
-            slot.set_waiting(contour, index, row, next);
+            slot.wait(contour, index, row, next);
         }
         self.waiting += 1;
     }
@@ -81,12 +74,11 @@ impl<'a, 's> Table<'a, 's> {
     /// Makes room by forgetting the top with the latest row, if that is after `row`.
     #[cold]
     fn drop_latest(&mut self, row: i32) -> Option<u32> {
-        let waiting = self.slots.iter().enumerate().filter(|(_, slot)| slot.is_waiting);
-        let (place, latest) = waiting.map(|(place, slot)| (place, slot.high)).max_by_key(|&(_, row)| row)?;
+        let waiting = self.slots.iter().zip(0..NONE).filter(|(slot, _)| slot.state == State::Waits);
+        let (latest, place) = waiting.map(|(slot, place)| (slot.end, place)).max()?;
         if latest <= row {
             return None;
         }
-        let place = u32::try_from(place).ok()?;
         self.unlink(place, latest);
         self.horizon = self.horizon.min(latest);
         Some(place)
@@ -95,10 +87,7 @@ impl<'a, 's> Table<'a, 's> {
     /// Takes a top out of its list.
     fn unlink(&mut self, place: u32, row: i32) {
         let list = self.list_of(row);
-        let next = self.slots.get_mut(place as usize).map_or(NONE, |slot| {
-            slot.is_waiting = false;
-            slot.low.cast_unsigned()
-        });
+        let next = self.slots.get(place as usize).map_or(NONE, |slot| slot.next);
         self.waiting -= 1;
         let Some(first) = self.slots.get_mut(list) else { return };
         if first.starting == place {
@@ -107,22 +96,27 @@ impl<'a, 's> Table<'a, 's> {
         }
         let mut at = first.starting;
         while let Some(slot) = self.slots.get_mut(at as usize) {
-            if slot.low.cast_unsigned() == place {
-                slot.low = next.cast_signed();
+            if slot.next == place {
+                slot.next = next;
                 return;
             }
-            at = slot.low.cast_unsigned();
+            at = slot.next;
         }
     }
 
     /// Looks for the tops from `row` on.
     #[inline(never)]
     fn look_ahead(&mut self, row: i32) {
+        self.forget_waiting();
         self.horizon = i32::MAX;
         let (source, rows) = (self.source, self.rows);
         source.for_each_top(|contour, index, y| {
             let start = (y >> FINE_BITS).max(0);
-            let is_there = || y >= 0 || [1, -1].iter().any(|&way| CoverageEdge::leaving(contour, index, way).begin(&source, 0));
+            // Chains that end above the first row have no slots.
+            let is_there = || {
+                let reaches = |way| CoverageEdge::EMPTY.begin(&source, (contour, index), way, 0);
+                y >= 0 || reaches(1) || reaches(-1)
+            };
             if start >= row && start < rows && is_there() {
                 self.wait(contour, index, start);
             }
@@ -135,11 +129,13 @@ impl<'a, 's> Table<'a, 's> {
             return row;
         }
         if row >= self.horizon {
-            self.forget_waiting();
             self.look_ahead(row);
         }
-        let first = self.slots.iter().filter(|slot| slot.is_waiting).map(|slot| slot.high).min();
-        first.unwrap_or(i32::MAX).min(self.horizon).max(row)
+        if self.waiting == 0 {
+            return self.horizon;
+        }
+        let waiting = self.slots.iter().filter(|slot| slot.state == State::Waits);
+        waiting.map(|slot| slot.end).min().unwrap_or(i32::MAX).min(self.horizon).max(row)
     }
 
     /// Those that are found again.
@@ -150,7 +146,7 @@ impl<'a, 's> Table<'a, 's> {
         for index in 0..u32::try_from(self.slots.len()).unwrap_or(NONE) {
             let Some(slot) = self.slots.get_mut(index as usize) else { break };
             slot.starting = NONE;
-            if core::mem::take(&mut slot.is_waiting) {
+            if slot.state == State::Waits {
                 self.release(index);
             }
         }
@@ -161,7 +157,6 @@ impl<'a, 's> Table<'a, 's> {
     #[inline]
     pub(super) fn start(&mut self, row: i32) {
         if row >= self.horizon {
-            self.forget_waiting();
             self.look_ahead(row);
         }
         if self.waiting > 0 {
@@ -169,91 +164,135 @@ impl<'a, 's> Table<'a, 's> {
         }
     }
 
+    #[inline(never)]
     fn start_waiting(&mut self, row: i32) {
         let list = self.list_of(row);
         let mut at = self.slots.get(list).map_or(NONE, |slot| slot.starting);
-        while let Some(&top) = self.slots.get(at as usize) {
-            let next = top.low.cast_unsigned();
-            if top.high == row {
-                self.unlink(at, row);
-                self.start_chain(at, &top, 1, row);
-                // What is dropped waits for a later row: it may be the next of the list.
-                if let Some(other) = self.take_free().or_else(|| self.drop_latest(row)) {
-                    self.start_chain(other, &top, -1, row);
-                    at = self.slots.get(list).map_or(NONE, |slot| slot.starting);
-                    continue;
-                }
+        while let Some(slot) = self.slots.get(at as usize) {
+            let (next, is_due, vertex) = (slot.next, slot.end == row, slot.vertex());
+            if !is_due {
+                at = next;
+                continue;
             }
-            at = next;
+            self.unlink(at, row);
+            self.start_chain(at, vertex, 1, row);
+            if let Some(other) = self.take_free().or_else(|| self.drop_latest(row)) {
+                self.start_chain(other, vertex, -1, row);
+            }
+            // What was dropped may have been the next.
+            at = self.slots.get(list).map_or(NONE, |slot| slot.starting);
         }
     }
 
-    fn start_chain(&mut self, place: u32, top: &CoverageEdge, direction: i8, row: i32) {
-        let Some(slot) = self.slots.get_mut(place as usize) else { return };
-        slot.leave(top, direction);
-        if !slot.begin(&self.source, row << FINE_BITS) {
-            self.release(place);
+    fn start_chain(&mut self, slot: u32, vertex: (u32, u32), direction: i8, row: i32) {
+        let Some(chain) = self.slots.get_mut(slot as usize) else { return };
+        if !chain.begin(&self.source, vertex, direction, row << FINE_BITS) {
+            self.release(slot);
             return;
         }
-        if let Some(last) = self.slots.get_mut(self.active) {
-            last.order = place;
-            self.active += 1;
+        self.set_place(self.active, Place { low: i32::MIN, slot });
+        self.active += 1;
+    }
+
+    #[inline(always)]
+    pub(super) fn place(&self, place: usize) -> Place {
+        self.slots.get(place).map_or(Place { low: 0, slot: NONE }, |slot| slot.place)
+    }
+
+    #[inline(always)]
+    pub(super) fn set_place(&mut self, place: usize, to: Place) {
+        if let Some(slot) = self.slots.get_mut(place) {
+            slot.place = to;
         }
     }
 
-    /// The slot of a place, from left to right.
     #[inline(always)]
-    pub(super) fn slot_of(&self, place: usize) -> usize {
-        self.slots.get(place).map_or(0, |slot| slot.order as usize)
+    pub(super) fn chain(&self, place: usize) -> Option<&CoverageEdge> {
+        self.slots.get(self.place(place).slot as usize)
     }
 
     #[inline(always)]
-    pub(super) fn chain(&mut self, place: usize) -> Option<&mut CoverageEdge> {
-        let slot = self.slot_of(place);
-        self.slots.get_mut(slot)
+    pub(super) fn chain_mut(&mut self, place: usize) -> Option<&mut CoverageEdge> {
+        let slot = self.place(place).slot;
+        self.slots.get_mut(slot as usize)
     }
 
-    #[inline(always)]
-    pub(super) fn chain_ref(&self, place: usize) -> Option<&CoverageEdge> {
-        self.slots.get(self.slot_of(place))
-    }
-
-    /// Takes all chains over a row; whether they are in order from left to right, and their extents apart.
+    /// Takes all chains over a row, and brings them in order from left to right. The last `new` have just started.
     #[inline]
-    pub(super) fn advance(&mut self, row: i32) {
-        let source = self.source;
+    pub(super) fn advance(&mut self, row: i32, old: usize) {
+        let (source, row_top) = (self.source, row << FINE_BITS);
         let mut last = i32::MIN;
-        for place in 0..self.active {
-            let Some(chain) = self.chain(place) else { break };
-            chain.advance(&source, row << FINE_BITS);
-            let low = chain.low;
-            if low < last {
-                self.sink(0, place, low);
+        for at in 0..self.active {
+            let mut place = self.place(at);
+            let Some(chain) = self.slots.get_mut(place.slot as usize) else { break };
+            place.low = chain.advance(&source, row_top);
+            self.set_place(at, place);
+            if place.low < last {
+                self.sink(if at < old { 0 } else { old }, at);
             } else {
-                last = low;
+                last = place.low;
             }
+            if at + 1 == old {
+                last = i32::MIN;
+            }
+        }
+        if old < self.active && old > 0 {
+            self.merge(old);
         }
     }
 
     /// Moves a chain to the left, behind those that do not begin to the right of it.
     #[inline(never)]
-    pub(super) fn sink(&mut self, first: usize, mut place: usize, low: i32) {
-        let slot = self.slot_of(place);
-        while place > first {
-            let left = self.slot_of(place - 1);
-            if self.slots.get(left).is_none_or(|chain| chain.low <= low) {
+    pub(super) fn sink(&mut self, first: usize, mut at: usize) {
+        let place = self.place(at);
+        while at > first {
+            let left = self.place(at - 1);
+            if left.low <= place.low {
                 break;
             }
-            self.set_order(place, left);
-            place -= 1;
+            self.set_place(at, left);
+            at -= 1;
         }
-        self.set_order(place, slot);
+        self.set_place(at, place);
     }
 
-    #[inline(always)]
-    pub(super) fn set_order(&mut self, place: usize, slot: usize) {
-        if let Some(at) = self.slots.get_mut(place) {
-            at.order = u32::try_from(slot).unwrap_or(NONE);
+    /// Merges two parts that are in order.
+    #[inline(never)]
+    fn merge(&mut self, mut old: usize) {
+        let mut end = self.active;
+        while old > 0 && old < end {
+            // The last of the old ones goes where it belongs, with all that do not belong before it.
+            let last = self.place(end - 1);
+            let behind = self.place(old - 1);
+            if behind.low <= last.low {
+                end -= 1;
+                continue;
+            }
+            let mut from = old - 1;
+            while from > 0 && self.place(from - 1).low > last.low {
+                from -= 1;
+            }
+            // `from..old` belongs behind all of `old..end`: they change places.
+            self.rotate(from, old, end);
+            end -= old - from;
+            old = from;
+        }
+    }
+
+    /// `from..middle` and `middle..to` change places.
+    fn rotate(&mut self, from: usize, middle: usize, to: usize) {
+        self.reverse(from, middle);
+        self.reverse(middle, to);
+        self.reverse(from, to);
+    }
+
+    fn reverse(&mut self, mut from: usize, mut to: usize) {
+        while from + 1 < to {
+            to -= 1;
+            let (a, b) = (self.place(from), self.place(to));
+            self.set_place(from, b);
+            self.set_place(to, a);
+            from += 1;
         }
     }
 
@@ -261,16 +300,16 @@ impl<'a, 's> Table<'a, 's> {
     #[inline]
     pub(super) fn leave_row(&mut self) {
         let mut kept = 0;
-        for place in 0..self.active {
-            let slot = self.slot_of(place);
-            let Some(chain) = self.slots.get_mut(slot) else { break };
+        for at in 0..self.active {
+            let place = self.place(at);
+            let Some(chain) = self.slots.get_mut(place.slot as usize) else { break };
             if chain.ends {
-                self.release(u32::try_from(slot).unwrap_or(NONE));
+                self.release(place.slot);
                 continue;
             }
             chain.leave_row();
-            if kept != place {
-                self.set_order(kept, slot);
+            if kept != at {
+                self.set_place(kept, place);
             }
             kept += 1;
         }

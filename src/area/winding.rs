@@ -11,8 +11,8 @@
 
 use crate::area::source::FINE_ONE;
 
-/// More levels than an outline that is not made to have them needs; what has more is swept (see `sweep`).
-const CAPACITY: usize = 16;
+/// More levels than most outlines ever need; what has more is swept as a whole (see `sweep`). 8 bytes of stack each.
+const CAPACITY: usize = if usize::BITS > 32 { 128 } else { 24 };
 
 /// Heights up to `end`, and the winding there.
 #[derive(Debug, Clone, Copy)]

@@ -4,7 +4,7 @@ use core::{cell::Cell as Shared, fmt};
 
 use crate::{
     PixelRect, TooManyEdges,
-    area::{self, CoverageEdge, Inside, Rounded, source::Source},
+    area::{CoverageEdge, Inside, send_contours},
     contours::Rows,
     coverage::{Cell, CoverageSink},
     error::TooLittleScratch,
@@ -80,18 +80,7 @@ impl<'a> Polygon<'a> {
         sink: &mut S,
     ) -> Result<(), S::Error> {
         let _ = cells;
-        let touched = self.touched();
-        let (rows, columns) = (clip_range(&touched.rows, &clip.rows), clip_range(&touched.columns, &clip.columns));
-        if rows.is_empty() || columns.is_empty() {
-            return Ok(());
-        }
-        let corner = (columns.start, rows.start);
-        let source =
-            Source::Contours { contours: self.contours, origin: (corner.0.wrapping_mul(ONE), corner.1.wrapping_mul(ONE)) };
-        let size = (columns.end - columns.start, rows.end - rows.start);
-        let mut rounded = Rounded { sink, corner, result: Ok(()) };
-        area::fill(source, Inside { mask: self.fill_rule.mask() }, size, edges, &mut rounded);
-        rounded.result
+        send_contours(self.contours, Inside { mask: self.fill_rule.mask() }, clip, edges, sink)
     }
 }
 

@@ -1,0 +1,2 @@
+//! debugging
+#![allow(warnings, clippy::all)]
