@@ -6,6 +6,7 @@ mod contour_areas;
 mod far;
 mod fill;
 mod order;
+mod pixel;
 mod rounded;
 pub(crate) mod source;
 mod sweep;

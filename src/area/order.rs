@@ -28,7 +28,7 @@ enum Side {
 #[inline(never)]
 pub(super) fn put_in_order(table: &mut Table<'_, '_>, place: usize, end: usize, row_top: i32) {
     if let Some(first) = table.chain_mut(place) {
-        first.state = State::Active;
+        (first.state, first.next) = (State::Active, first.high.cast_unsigned());
     }
     for new in place + 1..end {
         let low = table.place(new).low;
@@ -38,6 +38,10 @@ pub(super) fn put_in_order(table: &mut Table<'_, '_>, place: usize, end: usize, 
         let (mut first_crossed, mut behind_crossed) = (new, place);
         for other in (place..new).rev() {
             let Some(left) = table.chain(other) else { return };
+            // No chain up to there reaches this one.
+            if left.next.cast_signed() <= low {
+                break;
+            }
             if left.top >= chain.bottom || chain.top >= left.bottom {
                 continue;
             }
@@ -55,18 +59,26 @@ pub(super) fn put_in_order(table: &mut Table<'_, '_>, place: usize, end: usize, 
         // It goes to `at`, joined with all from `first` on: with what it crosses, or what contradicts the order.
         let crosses = first_crossed < new;
         let at = if crosses { behind.max(behind_crossed) } else { to.max(behind) };
-        insert(table, new, at, to.min(first_crossed).min(at));
+        insert(table, place, new, at, to.min(first_crossed).min(at));
     }
 }
 
 /// Moves the chain at `new` to `at`, and joins it with all from `first` on.
-fn insert(table: &mut Table<'_, '_>, new: usize, at: usize, first: usize) {
+fn insert(table: &mut Table<'_, '_>, place_of_group: usize, new: usize, at: usize, first: usize) {
     let place = table.place(new);
     for left in (at..new).rev() {
         let moved = table.place(left);
         table.set_place(left + 1, moved);
     }
     table.set_place(at, place);
+    // How far those up to each place reach.
+    let mut reach = (at > place_of_group).then(|| table.chain(at - 1)).flatten().map_or(i32::MIN, |left| left.next.cast_signed());
+    for moved in at..=new {
+        if let Some(chain) = table.chain_mut(moved) {
+            reach = reach.max(chain.high);
+            chain.next = reach.cast_unsigned();
+        }
+    }
     // Within what is joined it has to be joined, too.
     let splits = at < new && table.chain(at + 1).is_some_and(|chain| chain.state == State::Joined);
     if let Some(chain) = table.chain_mut(at) {

@@ -15,6 +15,7 @@ use core::ops::Range;
 
 use crate::area::{
     chain::{Line, Place, nearest},
+    pixel::{MOST, Piece, add_pieces},
     fill::Fill,
     source::{FINE_BITS, FINE_ONE},
 };
@@ -25,16 +26,15 @@ const TOLERANCE: i32 = 1;
 /// How often a band is made shorter at the most.
 const TRIES: usize = 64;
 
-/// So many chains are swept at once; more, column by column.
-const FEW: usize = 6;
-
 /// All columns.
 const ALL: Range<i64> = i64::MIN..i64::MAX;
 
-/// Adds chains that are joined; `false` where there are too many levels for what comes behind them.
+/// Adds chains that are joined, column by column; `false` where there are too many levels for what comes behind them.
+///
+/// In the last case, which takes the rest of the row, all columns at once.
 #[inline(never)]
 pub(super) fn sweep(fill: &mut Fill<'_, '_>, place: usize, end: usize, is_last: bool) -> bool {
-    if end - place <= FEW || is_last {
+    if is_last {
         fill.sweep_columns(place, end, &ALL);
         return fill.pass_columns(place, end, &ALL) || is_last;
     }
@@ -57,12 +57,37 @@ pub(super) fn sweep(fill: &mut Fill<'_, '_>, place: usize, end: usize, is_last: 
                 among += 1;
             }
         }
-        fill.sweep_columns(place, among, &columns);
-        fill.pass_columns(place, among, &columns)
+        fill.sweep_pixel(place, among, &columns).unwrap_or_else(|| {
+            fill.sweep_columns(place, among, &columns);
+            fill.pass_columns(place, among, &columns)
+        })
     })
 }
 
 impl Fill<'_, '_> {
+    /// Adds the pieces of a column, if there is room for all of them.
+    fn sweep_pixel(&mut self, place: usize, end: usize, columns: &Range<i64>) -> Option<bool> {
+        let (source, row_top) = (self.table.source, self.row_top());
+        let mut pieces = [Piece::NONE; MOST];
+        let mut count = 0;
+        for at in place..end {
+            let chain = self.table.chain(at)?;
+            for line in chain.lines(&source, row_top).filter_map(|line| line.within(columns)) {
+                *pieces.get_mut(count)? = Piece::new(line, chain.direction);
+                count += 1;
+            }
+        }
+        let mut after = self.winding;
+        let pieces = pieces.get_mut(..count)?;
+        let is_known = pieces.iter().all(|piece| {
+            let (top, bottom, direction) = piece.heights();
+            after.pass(top, bottom, i32::from(direction), &mut |_, _, _| {}).is_ok()
+        });
+        add_pieces(pieces, self.winding.levels(), self.inside, &mut self.accumulator);
+        self.winding = after;
+        Some(is_known)
+    }
+
     fn sweep_columns(&mut self, place: usize, end: usize, columns: &Range<i64>) {
         let mut y = 0;
         while y < FINE_ONE {

@@ -26,7 +26,7 @@ pub(crate) struct Level {
 pub(crate) struct TooManyLevels;
 
 /// From the top of the row to its bottom; always one at least.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub(crate) struct Winding {
     levels: [Level; CAPACITY],
     count: usize,
