@@ -7,10 +7,9 @@
 //! A turn is short, so that some are not interrupted. Shapes that together take longer than a turn are timed in parts,
 //! each of which has its own best time: the slower library would otherwise be interrupted in every turn.
 
-use std::{
-    ops::Range,
-    time::{Duration, Instant},
-};
+use std::{ops::Range, time::Duration};
+
+use cpu_time::ThreadTime;
 
 use crate::drawing::Drawing;
 
@@ -66,8 +65,9 @@ impl Turns {
     }
 }
 
-fn timed(work: impl FnOnce()) -> Duration {
-    let start = Instant::now();
+/// The processor's time for this thread alone: what others do in between does not count.
+pub(crate) fn timed(work: impl FnOnce()) -> Duration {
+    let start = ThreadTime::now();
     work();
     start.elapsed()
 }

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use crate::{
-    gallery::{CUTS, NOISY, SAMPLES, growth::Query, row::Rows},
+    gallery::{NOISY, growth::Query, row::Rows},
     variant::Variant,
 };
 
@@ -62,24 +62,14 @@ pub(super) fn verdicts(rows: &Rows, queries: &[Query]) -> Vec<Verdict> {
         add("all, geometric mean: spanfill-aliased / tiny-skia".into(), MEAN_PART_OF_TINY_SKIA, mean);
     }
 
-    let growth = |from: &str, to: &str| {
-        let [from, to] = [from, to].map(|name| rows.get(name, Variant::AntiAliased));
-        let (from, to) = from.zip(to)?;
-        Some((to.cost / from.cost, to.vertices as f64 / from.vertices as f64))
-    };
-    for name in &drawings {
-        for parts in CUTS {
-            let cut = format!("{name}/{parts}");
-            if let Some((time, vertices)) = growth(name, &cut) {
-                add(format!("{cut}: growth of spanfill-aa from uncut"), vertices, Some(time));
-            }
-            let ratio = rows.ratio(&cut, Variant::AntiAliased, Variant::VelloBaseline);
-            add(format!("{cut}: spanfill-aa / vello-cpu-baseline"), 1.0, ratio);
+    for (from, to) in rows.growths() {
+        if let Some((cost, vertices)) = rows.growth(&from, &to, Variant::AntiAliased) {
+            add(format!("{to}: growth of spanfill-aa from {from}"), vertices, Some(cost));
         }
-    }
-    for pair in SAMPLES.map(|samples| format!("{NOISY}{samples}")).windows(2) {
-        if let Some((time, vertices)) = growth(&pair[0], &pair[1]) {
-            add(format!("{}: growth of spanfill-aa from {}", pair[1], pair[0]), vertices, Some(time));
+        // The chart of noise has its own bar, and is no cut drawing.
+        if to.contains('/') {
+            let ratio = rows.ratio(&to, Variant::AntiAliased, Variant::VelloBaseline);
+            add(format!("{to}: spanfill-aa / vello-cpu-baseline"), 1.0, ratio);
         }
     }
     for pair in queries.windows(2) {

@@ -240,7 +240,8 @@ mod tests {
     fn what_is_cut_is_the_same_picture() {
         let whole = Subject::named("gauge").expect("there is one").drawing;
         let cut = Subject::named("gauge/4").expect("there is one").drawing;
-        assert_eq!(cut.vertices(), 4 * whole.vertices());
+        // The shortest of a curve's edges have fewer parts.
+        assert!((whole.vertices() * 7 / 2..=whole.vertices() * 4).contains(&cut.vertices()));
         let painters = &mut [(Variant::AntiAliased, painter(&cut, Variant::AntiAliased).expect("it is drawn"))];
         // An edge's parts are off by half of 1/256 pixel at most.
         assert!(differences(&whole, painters)[0].expect("it is a picture") < 0.1);

@@ -2,7 +2,12 @@
 
 use std::fmt;
 
-use crate::{environment::TARGET, gallery::is_for_growth, row::Unit, variant::Variant};
+use crate::{
+    environment::TARGET,
+    gallery::{CUTS, NOISY, SAMPLES, is_for_growth},
+    row::Unit,
+    variant::Variant,
+};
 
 /// A variant measured on a drawing.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,6 +44,24 @@ impl Rows {
         names.dedup();
         names.retain(|name| !is_for_growth(name));
         names
+    }
+
+    /// Pairs of which the second has more vertices than the first: cut edges, or more samples of noise.
+    pub(crate) fn growths(&self) -> Vec<(String, String)> {
+        let cut = |name: &str| CUTS.map(|parts| (name.to_owned(), format!("{name}/{parts}")));
+        let samples = SAMPLES.map(|samples| format!("{NOISY}{samples}"));
+        let noisy = samples.windows(2).map(|pair| (pair[0].clone(), pair[1].clone()));
+        let drawings = self.drawings();
+        let mut growths: Vec<(String, String)> = drawings.into_iter().flat_map(cut).chain(noisy).collect();
+        let is_there = |name: &str| self.rows.iter().any(|row| row.drawing == name);
+        growths.retain(|(from, to)| is_there(from) && is_there(to));
+        growths
+    }
+
+    /// By how much the variant's cost grows from the one to the other, and the number of vertices.
+    pub(crate) fn growth(&self, from: &str, to: &str, variant: Variant) -> Option<(f64, f64)> {
+        let (from, to) = (self.get(from, variant)?, self.get(to, variant)?);
+        Some((to.cost / from.cost, to.vertices as f64 / from.vertices as f64))
     }
 
     /// The geometric mean of that ratio over all drawings that have it.

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::{
-    gallery::{CUTS, VARIANTS, growth::Query, row::Rows},
+    gallery::{VARIANTS, growth::Query, row::Rows},
     row::Unit,
     variant::Variant,
 };
@@ -48,35 +48,25 @@ const RATIOS: [(Variant, Variant); 3] = [
 /// What becomes of the times where every edge is cut, and what it costs to ask for the scratch.
 pub(super) fn growth(rows: &Rows, queries: &[Query]) -> String {
     let mut table = String::new();
-    let drawings = rows.drawings();
-    let is_cut =
-        |name: &&&str| CUTS.iter().any(|parts| rows.rows.iter().any(|row| row.drawing == format!("{name}/{parts}")));
-    let cut: Vec<&&str> = drawings.iter().filter(is_cut).collect();
-    if !cut.is_empty() {
+    let growths = rows.growths();
+    if !growths.is_empty() {
+        let unit = unit(rows);
         let _ = writeln!(
             table,
-            "| every edge cut in | {} |",
-            CUTS.map(|parts| format!(
-                "{parts}: spanfill-aa, {} | of uncut | / vello_cpu baseline | zeno-mask",
-                unit(rows)
-            ))
-            .join(" | ")
+            "| more vertices | times as many | spanfill-aa, {unit} | times | vello-cpu-baseline, {unit} | times \
+             | zeno-mask, {unit} | times | aa / vello_cpu baseline |\n|---|{}",
+            "--:|".repeat(8)
         );
-        let _ = writeln!(table, "|---|{}", "--:|".repeat(4 * CUTS.len()));
-        for name in cut {
-            let _ = write!(table, "| {name} |");
-            for parts in CUTS {
-                let part = format!("{name}/{parts}");
-                let cost = |variant| rows.get(&part, variant).map(|row| row.cost);
-                let field = |variant| cost(variant).map(in_unit).unwrap_or_default();
-                let whole = rows.get(name, Variant::AntiAliased).map(|row| row.cost);
-                let growth = cost(Variant::AntiAliased).zip(whole).map(|(cut, whole)| cut / whole);
-                let against = rows.ratio(&part, Variant::AntiAliased, Variant::VelloBaseline);
-                let (aa, zeno) = (field(Variant::AntiAliased), field(Variant::Zeno));
-                let _ = write!(table, " {aa} | {} | {} | {zeno} |", ratio(growth), ratio(against));
-            }
-            table.push('\n');
+    }
+    for (from, to) in growths {
+        let vertices = rows.growth(&from, &to, Variant::AntiAliased).map(|(_, vertices)| vertices);
+        let _ = write!(table, "| {to} | {} |", ratio(vertices));
+        for variant in [Variant::AntiAliased, Variant::VelloBaseline, Variant::Zeno] {
+            let cost = rows.get(&to, variant).map(|row| in_unit(row.cost)).unwrap_or_default();
+            let times = rows.growth(&from, &to, variant).map(|(cost, _)| cost);
+            let _ = write!(table, " {cost} | {} |", ratio(times));
         }
+        let _ = writeln!(table, " {} |", ratio(rows.ratio(&to, Variant::AntiAliased, Variant::VelloBaseline)));
     }
     if !queries.is_empty() {
         let _ =
