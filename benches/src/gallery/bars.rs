@@ -18,6 +18,8 @@ const PART_OF_VELLO_NOISY: f64 = 2.0;
 const MEAN_PART_OF_VELLO: f64 = 0.8;
 /// Without anti-aliasing, as the geometric mean of all.
 const MEAN_PART_OF_TINY_SKIA: f64 = 0.6;
+/// The largest error, in 255ths: rounded once, and a little for where the exact area is not exact.
+const ERROR: f64 = 0.52;
 /// What grows in proportion may be so much off it: vello_cpu's is.
 const LINEAR: f64 = 1.1;
 /// Four times the work, in n log n, and a little for what a cache no longer holds.
@@ -55,6 +57,10 @@ pub(super) fn verdicts(rows: &Rows, queries: &[Query]) -> Vec<Verdict> {
     for name in &drawings {
         let ratio = rows.ratio(name, Variant::AntiAliased, Variant::VelloBaseline);
         add(format!("{name}: spanfill-aa / vello-cpu-baseline"), part_of_vello(name), ratio);
+    }
+    for name in &drawings {
+        let error = rows.get(name, Variant::Mask).and_then(|row| row.error);
+        add(format!("{name}: largest error of spanfill's coverage, in 255ths"), ERROR, error.map(|error| error.max));
     }
     // A single drawing is no mean.
     if drawings.len() > 1 {

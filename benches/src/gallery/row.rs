@@ -5,7 +5,7 @@ use std::fmt;
 use crate::{
     environment::TARGET,
     gallery::{CUTS, NOISY, SAMPLES, is_for_growth},
-    row::Unit,
+    row::{Difference, Unit},
     variant::Variant,
 };
 
@@ -17,8 +17,8 @@ pub(crate) struct Row {
     pub(crate) variant: Variant,
     /// Of a picture.
     pub(crate) cost: f64,
-    /// The mean over all channels from what spanfill shows, in 255ths; `None` for what is no picture.
-    pub(crate) difference: Option<f64>,
+    /// Of the coverage, in 255ths; `None` where it was not asked for, or is not to be had.
+    pub(crate) error: Option<Difference>,
 }
 
 /// The rows of one run.
@@ -71,13 +71,16 @@ impl Rows {
     }
 }
 
-/// As CSV: `px` is the number of vertices, `mean_err` the difference from spanfill's picture.
+/// As CSV: `px` is the number of vertices.
 impl fmt::Display for Rows {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "scene,variant,target,px,{},max_err,mean_err", self.unit.column())?;
-        for Row { drawing, vertices, variant, cost, difference } in &self.rows {
-            let difference = difference.map(|difference| format!("{difference:.2}")).unwrap_or_default();
-            writeln!(f, "{drawing},{variant},{TARGET},{vertices},{cost:.0},,{difference}")?;
+        for Row { drawing, vertices, variant, cost, error } in &self.rows {
+            write!(f, "{drawing},{variant},{TARGET},{vertices},{cost:.0},")?;
+            match error {
+                Some(Difference { max, mean }) => writeln!(f, "{max:.2},{mean:.2}")?,
+                None => writeln!(f, ",")?,
+            }
         }
         Ok(())
     }

@@ -79,6 +79,31 @@ pub(super) fn growth(rows: &Rows, queries: &[Query]) -> String {
     table
 }
 
+/// How far coverage is from the area, of those that tell.
+pub(super) fn errors(rows: &Rows) -> String {
+    let mut table = String::new();
+    let variants: Vec<Variant> = VARIANTS
+        .into_iter()
+        .filter(|variant| rows.rows.iter().any(|row| row.variant == *variant && row.error.is_some()))
+        .collect();
+    if variants.is_empty() {
+        return table;
+    }
+    let _ = writeln!(table, "| largest, mean error in 255ths | {} |", Variant::list(&variants).replace(", ", " | "));
+    let _ = writeln!(table, "|---|{}", "--:|".repeat(variants.len()));
+    for name in rows.drawings() {
+        let _ = write!(table, "| {name} |");
+        for &variant in &variants {
+            match rows.get(name, variant).and_then(|row| row.error) {
+                Some(error) => _ = write!(table, " {:.2}, {:.2} |", error.max, error.mean),
+                None => table.push_str(" |"),
+            }
+        }
+        table.push('\n');
+    }
+    table
+}
+
 fn unit(rows: &Rows) -> &'static str {
     match rows.unit {
         Unit::Nanoseconds => "ms",
