@@ -9,6 +9,7 @@ mod table;
 mod timing;
 
 use std::{
+    ops::RangeInclusive,
     path::{Path, PathBuf},
     process::ExitCode,
     time::Duration,
@@ -77,10 +78,10 @@ impl Subject {
     pub(crate) fn named(name: &str) -> Result<Self, String> {
         let (whole, parts) = match name.split_once('/') {
             None => (name, 1),
-            Some((whole, parts)) => (whole, parts.parse().map_err(|_| format!("{parts} is not a number of parts"))?),
+            Some((whole, parts)) => (whole, number(parts, 1..=64)?),
         };
         let drawing = match whole.strip_prefix(NOISY) {
-            Some(samples) => noisy_chart(samples.parse().map_err(|_| format!("{samples} is not a number of samples"))?),
+            Some(samples) => noisy_chart(number(samples, 2..=1_000_000)?),
             None => DRAWINGS
                 .iter()
                 .find(|(name, _)| *name == whole)
@@ -90,6 +91,11 @@ impl Subject {
         let drawing = if parts == 1 { drawing } else { drawing.cut(parts) };
         Ok(Self { name: name.to_owned(), drawing })
     }
+}
+
+fn number(text: &str, range: RangeInclusive<i32>) -> Result<i32, String> {
+    let number = text.parse().ok().filter(|number| range.contains(number));
+    number.ok_or_else(|| format!("{text} is not a number from {} to {}", range.start(), range.end()))
 }
 
 pub(crate) fn measure(args: &GalleryArgs) -> Outcome {
