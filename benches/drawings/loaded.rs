@@ -32,12 +32,19 @@ impl Drawing {
         self.shapes.iter().flat_map(|shape| &shape.contours).map(Vec::len).sum()
     }
 
-    /// The same drawing with so many edges in place of each: the vertices in between are rounded to 1/256 pixel.
+    /// The same drawing with so many edges in place of each, the vertices in between rounded to 1/256 pixel. Of an edge
+    /// that is shorter than so many of these, there are only as many parts as differ.
     pub(crate) fn cut(&self, parts: i32) -> Self {
         let cut = |contour: &Vec<[i32; 2]>| {
-            let ends = contour.iter().cycle().skip(1);
-            let edges = contour.iter().zip(ends);
-            edges.flat_map(|(&start, &end)| (0..parts).map(move |part| between(start, end, part, parts))).collect()
+            let edges = contour.iter().zip(contour.iter().cycle().skip(1));
+            let vertices =
+                edges.flat_map(|(&start, &end)| (0..parts).map(move |part| between(start, end, part, parts)));
+            let mut vertices: Vec<[i32; 2]> = vertices.collect();
+            vertices.dedup();
+            while vertices.len() > 1 && vertices.first() == vertices.last() {
+                vertices.pop();
+            }
+            vertices
         };
         let shapes = self.shapes.iter().map(|shape| Shape {
             rgb: shape.rgb,

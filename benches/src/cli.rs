@@ -103,6 +103,10 @@ pub(crate) struct GalleryArgs {
     #[arg(long)]
     pub(crate) no_growth: bool,
 
+    /// Compare each shape's coverage with the exact area, and print the errors: ten seconds more
+    #[arg(long)]
+    pub(crate) errors: bool,
+
     /// How many turns each variant has at most; its best one counts
     #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u32).range(3..))]
     pub(crate) rounds: u32,

@@ -58,7 +58,7 @@ impl ExactArea {
     }
 
     /// The part of an edge within a row: its signed height, and where it enters and leaves.
-    fn part_of_a_row(&mut self, row: usize, height: f64, (enters, leaves): (f64, f64)) {
+    pub(crate) fn part_of_a_row(&mut self, row: usize, height: f64, (enters, leaves): (f64, f64)) {
         let sums = &mut self.sums[row * STRIDE..][..STRIDE];
         let (left, right) = (enters.min(leaves), enters.max(leaves));
         let mut x = left;

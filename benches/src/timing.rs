@@ -1,16 +1,15 @@
 //! Best times, the variants taking turns.
 //!
-//! Every round gives each variant of each scene a turn. Whatever else the machine does slows some turns down and never
-//! speeds one up, so the best of many is the closest to the truth; and as everyone has a turn in each round, a slow
-//! minute is slow for all.
+//! Every round gives each variant of each scene a turn. What is taken is the thread's time, and not the clock's, as
+//! others use the machine, too; what they do to the caches slows some turns down and never speeds one up, so the best of
+//! many is the closest to the truth. And as everyone has a turn in each round, a slow minute is slow for all.
 //!
 //! A turn is short, so that some are not interrupted. Shapes that together take longer than a turn are timed in parts,
 //! each of which has its own best time: the slower library would otherwise be interrupted in every turn.
 
-use std::{
-    ops::Range,
-    time::{Duration, Instant},
-};
+use std::{ops::Range, time::Duration};
+
+use cpu_time::ThreadTime;
 
 use crate::drawing::Drawing;
 
@@ -66,8 +65,9 @@ impl Turns {
     }
 }
 
-fn timed(work: impl FnOnce()) -> Duration {
-    let start = Instant::now();
+/// The processor's time for this thread alone: what others do in between does not count.
+pub(crate) fn timed(work: impl FnOnce()) -> Duration {
+    let start = ThreadTime::now();
     work();
     start.elapsed()
 }

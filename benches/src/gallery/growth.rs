@@ -4,7 +4,7 @@ use std::{hint::black_box, time::Duration};
 
 use spanfill::{Polygon, Vertex};
 
-use crate::{drawings::noisy_chart, gallery::timing::timed};
+use crate::{drawings::noisy_chart, timing::timed};
 
 /// What the question costs for an outline of so many vertices.
 #[derive(Debug, Clone, Copy)]

@@ -3,7 +3,7 @@
 //! Everybody is given what it takes, prepared: vertices, paths, commands, and scratch that is large enough. What is
 //! measured is from there to pixels, or, of zeno and for comparison of spanfill, to masks that are yet to be blended.
 
-use std::{convert::Infallible, hint::black_box};
+use std::{convert::Infallible, hint::black_box, ops::Range};
 
 use embedded_graphics::{
     pixelcolor::{Rgb565, Rgb888},
@@ -20,7 +20,7 @@ use zeno::Command;
 use crate::{
     drawings::{Drawing, Shape},
     lineup::{pixmap, renderer_at},
-    picture::{Bounds, Mask},
+    picture::{Bounds, Coverage, Mask, Picture},
     scenes::{FRAME_HEIGHT, FRAME_WIDTH, Frame},
     variant::Variant,
 };
@@ -31,6 +31,9 @@ pub(crate) trait Painter {
 
     /// What the picture shows, if it is one.
     fn pixels(&self) -> Option<Vec<[u8; 3]>>;
+
+    /// Draws one shape by itself, and tells how much of each pixel it covers, if the picture has the bits to tell.
+    fn coverage(&mut self, shape: usize, coverage: &mut Coverage) -> bool;
 }
 
 /// `None` for what draws no real drawings.
@@ -121,6 +124,11 @@ impl Painter for AntiAliased {
     fn pixels(&self) -> Option<Vec<[u8; 3]>> {
         Some(frame_pixels(&self.frame))
     }
+
+    /// Five bits are not enough: [`Masks`] has the same coverage.
+    fn coverage(&mut self, _: usize, _: &mut Coverage) -> bool {
+        false
+    }
 }
 
 /// The coverage alone.
@@ -135,29 +143,44 @@ impl Masks {
         let outlines = outlines(drawing);
         Self { scratch: Scratch::new(&outlines), outlines, mask: Mask::new() }
     }
+
+    /// Whether there is anything of it on the frame.
+    #[inline]
+    fn draw(&mut self, shape: usize) -> bool {
+        let cover = self.scratch.cover(black_box(&self.outlines[shape]));
+        let touched = cover.touched();
+        let Some(bounds) = on_frame([touched.columns.start, touched.rows.start, touched.columns.end, touched.rows.end])
+        else {
+            return false;
+        };
+        let clip = PixelRect {
+            rows: bounds.top..bounds.top + bounds.height,
+            columns: bounds.left..bounds.left + bounds.width,
+        };
+        let Ok(()) = cover.coverage(&clip, &mut MaskSink { bytes: self.mask.start(bounds), bounds });
+        black_box(&self.mask);
+        true
+    }
 }
 
 impl Painter for Masks {
     fn paint(&mut self) {
-        for outline in &self.outlines {
-            let cover = self.scratch.cover(black_box(outline));
-            let touched = cover.touched();
-            let Some(bounds) =
-                on_frame([touched.columns.start, touched.rows.start, touched.columns.end, touched.rows.end])
-            else {
-                continue;
-            };
-            let clip = PixelRect {
-                rows: bounds.top..bounds.top + bounds.height,
-                columns: bounds.left..bounds.left + bounds.width,
-            };
-            let Ok(()) = cover.coverage(&clip, &mut MaskSink { bytes: self.mask.start(bounds), bounds });
-            black_box(&self.mask);
+        for shape in 0..self.outlines.len() {
+            self.draw(shape);
         }
     }
 
     fn pixels(&self) -> Option<Vec<[u8; 3]>> {
         None
+    }
+
+    fn coverage(&mut self, shape: usize, coverage: &mut Coverage) -> bool {
+        if self.draw(shape) {
+            self.mask.read(coverage);
+        } else {
+            coverage.fill(0);
+        }
+        true
     }
 }
 
@@ -209,18 +232,32 @@ impl Aliased {
     }
 }
 
+impl Aliased {
+    #[inline]
+    fn draw(&mut self, shape: usize, colour: Rgb565) {
+        let outline = black_box(&self.outlines[shape]);
+        let polygon = outline.polygon.in_scratch(&mut self.edges).expect("there is enough for each outline");
+        let Ok(()) = polygon.filled(colour).draw(&mut *self.frame);
+    }
+}
+
 impl Painter for Aliased {
     fn paint(&mut self) {
-        for outline in &self.outlines {
-            let outline = black_box(outline);
-            let polygon = outline.polygon.in_scratch(&mut self.edges).expect("there is enough for each outline");
-            let Ok(()) = polygon.filled(outline.colour).draw(&mut *self.frame);
+        for shape in 0..self.outlines.len() {
+            self.draw(shape, self.outlines[shape].colour);
         }
         black_box(&self.frame);
     }
 
     fn pixels(&self) -> Option<Vec<[u8; 3]>> {
         Some(frame_pixels(&self.frame))
+    }
+
+    fn coverage(&mut self, shape: usize, coverage: &mut Coverage) -> bool {
+        self.frame.clear();
+        self.draw(shape, Rgb565::WHITE);
+        self.frame.read(coverage);
+        true
     }
 }
 
@@ -264,10 +301,10 @@ impl Vello {
     }
 }
 
-impl Painter for Vello {
-    fn paint(&mut self) {
+impl Vello {
+    fn draw(&mut self, shapes: Range<usize>) {
         self.context.reset();
-        for (path, rule, colour) in black_box(&self.paths) {
+        for (path, rule, colour) in black_box(&self.paths[shapes]) {
             self.context.set_paint(*colour);
             self.context.set_fill_rule(*rule);
             self.context.fill_path(path);
@@ -276,14 +313,27 @@ impl Painter for Vello {
         self.context.render(&mut self.picture, &mut self.resources);
         black_box(&self.picture);
     }
+}
+
+impl Painter for Vello {
+    fn paint(&mut self) {
+        self.draw(0..self.paths.len());
+    }
 
     fn pixels(&self) -> Option<Vec<[u8; 3]>> {
         Some(self.picture.data().iter().map(|pixel| [pixel.r, pixel.g, pixel.b]).collect())
     }
+
+    fn coverage(&mut self, shape: usize, coverage: &mut Coverage) -> bool {
+        self.draw(shape..shape + 1);
+        self.picture.read(coverage);
+        true
+    }
 }
 
 struct TinySkia {
-    paths: Vec<(Path, tiny_skia::FillRule, Paint<'static>)>,
+    /// `None` for what it takes for nothing.
+    paths: Vec<Option<(Path, tiny_skia::FillRule, Paint<'static>)>>,
     picture: Pixmap,
 }
 
@@ -306,26 +356,40 @@ impl TinySkia {
             let shader = Shader::SolidColor(tiny_skia::Color::from_rgba8(r, g, b, 255));
             Some((path.finish()?, rule, Paint { shader, anti_alias, ..Paint::default() }))
         };
-        Self { paths: drawing.shapes.iter().filter_map(path).collect(), picture: pixmap() }
+        Self { paths: drawing.shapes.iter().map(path).collect(), picture: pixmap() }
+    }
+}
+
+impl TinySkia {
+    fn draw(&mut self, shapes: Range<usize>) {
+        for (path, rule, paint) in black_box(&self.paths[shapes]).iter().flatten() {
+            self.picture.fill_path(path, paint, *rule, Transform::identity(), None);
+        }
+        black_box(&self.picture);
     }
 }
 
 impl Painter for TinySkia {
     fn paint(&mut self) {
-        for (path, rule, paint) in black_box(&self.paths) {
-            self.picture.fill_path(path, paint, *rule, Transform::identity(), None);
-        }
-        black_box(&self.picture);
+        self.draw(0..self.paths.len());
     }
 
     fn pixels(&self) -> Option<Vec<[u8; 3]>> {
         Some(self.picture.pixels().iter().map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]).collect())
     }
+
+    fn coverage(&mut self, shape: usize, coverage: &mut Coverage) -> bool {
+        self.picture.clear();
+        self.draw(shape..shape + 1);
+        self.picture.read(coverage);
+        true
+    }
 }
 
 /// Into a mask of each shape's bounds, which it is told.
 struct Zeno {
-    paths: Vec<(Vec<Command>, zeno::Fill, Bounds)>,
+    /// `None` for what lies beyond the frame.
+    paths: Vec<Option<(Vec<Command>, zeno::Fill, Bounds)>>,
     scratch: zeno::Scratch,
     mask: Mask,
 }
@@ -343,7 +407,7 @@ impl Zeno {
             let rule = if shape.even_odd { zeno::Fill::EvenOdd } else { zeno::Fill::NonZero };
             Some((commands, rule, bounds(shape)?))
         };
-        let paths = drawing.shapes.iter().filter_map(path).collect();
+        let paths = drawing.shapes.iter().map(path).collect();
         Self { paths, scratch: zeno::Scratch::new(), mask: Mask::new() }
     }
 }
@@ -355,19 +419,37 @@ fn bounds(shape: &Shape) -> Option<Bounds> {
     on_frame([least(0)? >> 8, least(1)? >> 8, (most(0)? + 255) >> 8, (most(1)? + 255) >> 8])
 }
 
+impl Zeno {
+    #[inline]
+    fn draw(&mut self, shape: usize) -> bool {
+        let Some((commands, rule, bounds)) = black_box(&self.paths[shape]) else { return false };
+        zeno::Mask::with_scratch(commands.as_slice(), &mut self.scratch)
+            .style(*rule)
+            .size(bounds.width.unsigned_abs(), bounds.height.unsigned_abs())
+            .offset((-bounds.left as f32, -bounds.top as f32))
+            .render_into(self.mask.start(*bounds), None);
+        black_box(&self.mask);
+        true
+    }
+}
+
 impl Painter for Zeno {
     fn paint(&mut self) {
-        for (commands, rule, bounds) in black_box(&self.paths) {
-            zeno::Mask::with_scratch(commands.as_slice(), &mut self.scratch)
-                .style(*rule)
-                .size(bounds.width.unsigned_abs(), bounds.height.unsigned_abs())
-                .offset((-bounds.left as f32, -bounds.top as f32))
-                .render_into(self.mask.start(*bounds), None);
-            black_box(&self.mask);
+        for shape in 0..self.paths.len() {
+            self.draw(shape);
         }
     }
 
     fn pixels(&self) -> Option<Vec<[u8; 3]>> {
         None
+    }
+
+    fn coverage(&mut self, shape: usize, coverage: &mut Coverage) -> bool {
+        if self.draw(shape) {
+            self.mask.read(coverage);
+        } else {
+            coverage.fill(0);
+        }
+        true
     }
 }

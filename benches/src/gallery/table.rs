@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use crate::{
-    gallery::{CUTS, VARIANTS, growth::Query, row::Rows},
+    gallery::{VARIANTS, growth::Query, row::Rows},
     row::Unit,
     variant::Variant,
 };
@@ -48,35 +48,25 @@ const RATIOS: [(Variant, Variant); 3] = [
 /// What becomes of the times where every edge is cut, and what it costs to ask for the scratch.
 pub(super) fn growth(rows: &Rows, queries: &[Query]) -> String {
     let mut table = String::new();
-    let drawings = rows.drawings();
-    let is_cut =
-        |name: &&&str| CUTS.iter().any(|parts| rows.rows.iter().any(|row| row.drawing == format!("{name}/{parts}")));
-    let cut: Vec<&&str> = drawings.iter().filter(is_cut).collect();
-    if !cut.is_empty() {
+    let growths = rows.growths();
+    if !growths.is_empty() {
+        let unit = unit(rows);
         let _ = writeln!(
             table,
-            "| every edge cut in | {} |",
-            CUTS.map(|parts| format!(
-                "{parts}: spanfill-aa, {} | of uncut | / vello_cpu baseline | zeno-mask",
-                unit(rows)
-            ))
-            .join(" | ")
+            "| more vertices | times as many | spanfill-aa, {unit} | times | vello-cpu-baseline, {unit} | times \
+             | zeno-mask, {unit} | times | aa / vello_cpu baseline |\n|---|{}",
+            "--:|".repeat(8)
         );
-        let _ = writeln!(table, "|---|{}", "--:|".repeat(4 * CUTS.len()));
-        for name in cut {
-            let _ = write!(table, "| {name} |");
-            for parts in CUTS {
-                let part = format!("{name}/{parts}");
-                let cost = |variant| rows.get(&part, variant).map(|row| row.cost);
-                let field = |variant| cost(variant).map(in_unit).unwrap_or_default();
-                let whole = rows.get(name, Variant::AntiAliased).map(|row| row.cost);
-                let growth = cost(Variant::AntiAliased).zip(whole).map(|(cut, whole)| cut / whole);
-                let against = rows.ratio(&part, Variant::AntiAliased, Variant::VelloBaseline);
-                let (aa, zeno) = (field(Variant::AntiAliased), field(Variant::Zeno));
-                let _ = write!(table, " {aa} | {} | {} | {zeno} |", ratio(growth), ratio(against));
-            }
-            table.push('\n');
+    }
+    for (from, to) in growths {
+        let vertices = rows.growth(&from, &to, Variant::AntiAliased).map(|(_, vertices)| vertices);
+        let _ = write!(table, "| {to} | {} |", ratio(vertices));
+        for variant in [Variant::AntiAliased, Variant::VelloBaseline, Variant::Zeno] {
+            let cost = rows.get(&to, variant).map(|row| in_unit(row.cost)).unwrap_or_default();
+            let times = rows.growth(&from, &to, variant).map(|(cost, _)| cost);
+            let _ = write!(table, " {cost} | {} |", ratio(times));
         }
+        let _ = writeln!(table, " {} |", ratio(rows.ratio(&to, Variant::AntiAliased, Variant::VelloBaseline)));
     }
     if !queries.is_empty() {
         let _ =
@@ -85,6 +75,31 @@ pub(super) fn growth(rows: &Rows, queries: &[Query]) -> String {
         for Query { vertices, exact_ns, bound_ns } in queries {
             let _ = writeln!(table, "| {vertices} vertices | {:.3} | {:.3} |", exact_ns / 1e6, bound_ns / 1e6);
         }
+    }
+    table
+}
+
+/// How far coverage is from the area, of those that tell.
+pub(super) fn errors(rows: &Rows) -> String {
+    let mut table = String::new();
+    let variants: Vec<Variant> = VARIANTS
+        .into_iter()
+        .filter(|variant| rows.rows.iter().any(|row| row.variant == *variant && row.error.is_some()))
+        .collect();
+    if variants.is_empty() {
+        return table;
+    }
+    let _ = writeln!(table, "| largest, mean error in 255ths | {} |", Variant::list(&variants).replace(", ", " | "));
+    let _ = writeln!(table, "|---|{}", "--:|".repeat(variants.len()));
+    for name in rows.drawings() {
+        let _ = write!(table, "| {name} |");
+        for &variant in &variants {
+            match rows.get(name, variant).and_then(|row| row.error) {
+                Some(error) => _ = write!(table, " {:.2}, {:.2} |", error.max, error.mean),
+                None => table.push_str(" |"),
+            }
+        }
+        table.push('\n');
     }
     table
 }

@@ -1,11 +1,8 @@
 //! Best times of whole pictures, the variants taking turns: see [`timing`](crate::timing) for why.
 
-use std::{
-    fmt,
-    time::{Duration, Instant},
-};
+use std::{fmt, time::Duration};
 
-use crate::gallery::painters::Painter;
+use crate::{gallery::painters::Painter, timing::timed};
 
 /// A turn is at least so long.
 const LEAST_TURN: Duration = Duration::from_micros(500);
@@ -58,10 +55,4 @@ impl fmt::Debug for Turn {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Turn").field("turns", &self.turns).field("best", &self.best).finish_non_exhaustive()
     }
-}
-
-pub(super) fn timed(work: impl FnOnce()) -> Duration {
-    let start = Instant::now();
-    work();
-    start.elapsed()
 }
