@@ -108,6 +108,7 @@ mod error;
 mod fragment;
 mod geometry;
 mod limits;
+#[cfg(feature = "methods")]
 pub mod methods;
 mod shape;
 mod span;
