@@ -190,8 +190,8 @@ fn flicker() -> Table {
 
 /// Grey squares of `side` texels.
 fn checks(width: u16, height: u16, side: u16) -> &'static [u8] {
-    let texels =
-        (0..height).flat_map(|y| (0..width).map(move |x| if (x / side + y / side) % 2 == 0 { 230 } else { 20 }));
+    let texels = (0..height)
+        .flat_map(|y| (0..width).map(move |x| if (x / side + y / side).is_multiple_of(2) { 230 } else { 20 }));
     texels.collect::<Vec<u8>>().leak()
 }
 
