@@ -27,6 +27,34 @@
 //! - **A texture's texel under each centre** shows patterns that are not there; averages are right.
 //!
 //! Where a method needs scratch, it is the caller's, and with too little nothing is drawn: [`Error::Scratch`].
+//!
+//! ```
+//! use core::convert::Infallible;
+//! use spanfill::{
+//!     FillRule, Fragment, FragmentSink, PixelRect, Vertex,
+//!     methods::antialias::{Error, Outline, Side, grid, sampled::SampleColumn},
+//! };
+//!
+//! struct Row([u8; 4]);
+//!
+//! impl FragmentSink for Row {
+//!     type Error = Infallible;
+//!
+//!     fn fragment(&mut self, Fragment { x, coverage, .. }: Fragment) -> Result<(), Infallible> {
+//!         self.0[x as usize] = coverage;
+//!         Ok(())
+//!     }
+//! }
+//!
+//! let wedge: &[Vertex] = &[Vertex::new(0, 0), Vertex::new(4, 0), Vertex::new(0, 1)];
+//! let outline = Outline { contours: &[wedge], fill_rule: FillRule::NonZero };
+//! let clip = PixelRect { rows: 0..1, columns: 0..4 };
+//! let mut row = Row([0; 4]);
+//! let too_little = grid::draw(&outline, Side::Four, &mut [SampleColumn::EMPTY; 3], &clip, &mut row);
+//! assert_eq!(too_little, Err(Error::Scratch { needed: 4, available: 3 }));
+//! grid::draw(&outline, Side::Four, &mut [SampleColumn::EMPTY; 4], &clip, &mut row).unwrap();
+//! assert_eq!(row.0, [223, 159, 96, 32]);
+//! ```
 
 #![allow(
     clippy::cast_possible_truncation,

@@ -16,7 +16,7 @@
 //! `Math.Round` is one of two ways in which points are wrong. On a screen whose pixel centres lie at half integers, it
 //! names the pixel that has the vertex near its top left corner: half a pixel off, right and down. On one with pixel
 //! centres at integers, it goes to the even pixel from exactly between two: of vertices on a grid of half pixels, every
-//! other pixel gets two and the next none.
+//! other pixel gets three and the next one.
 
 #![allow(clippy::cast_possible_truncation, reason = "casts from float saturate, NaN is 0")]
 
