@@ -263,17 +263,18 @@ fn spirals_combs_gaps_islands_and_full_screens_are_filled_by_any_stack() {
         .#...#...#.
         .#########.
         ...........";
-    // A ring on whose every pixel something hangs outside: nothing of it can be spared from within.
+    // By corners, a ring with something hanging on each of its pixels: none can be spared as seen from the island, which is
+    // where the walk arrives from below.
     let hung = "
-        ##.#.#.##
-        #..#.#..#
-        ..#...#..
-        ##.###.##
-        ....#....
-        ##.###.##
-        ..#...#..
-        #..#.#..#
-        ##.#.#.##";
+        ###.###
+        #.#.#.#
+        ##.#.##
+        ..###..
+        ##.#.##
+        #.#.#.#
+        ###.###
+        ###.###
+        ###.###";
     for picture in [spiral, comb, diagonal, chessboard, islands, hung] {
         let bitmap = Bitmap::parse(picture);
         for seed in 0..bitmap.open.len() {
