@@ -1,7 +1,7 @@
 //! Pixel by pixel: the recursion, with its stack made explicit.
 
 use super::{Canvas, Touch};
-use crate::{FragmentSink, methods::polygon::Failure};
+use crate::{fragment::FragmentSink, methods::polygon::Failure};
 
 /// Right, down, left, up; then the corners.
 const NEIGHBOURS: [(i32, i32); 8] = [(1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1), (-1, -1), (1, -1)];

@@ -4,7 +4,10 @@ use super::{
     Canvas, Entry, Touch,
     spans::{Stack, cast, start},
 };
-use crate::{FragmentSink, PixelRect};
+use crate::{
+    fragment::{Fragment, FragmentSink},
+    geometry::PixelRect,
+};
 
 /// What filled pixels are told apart from the boundary by.
 #[derive(Debug)]
@@ -81,7 +84,7 @@ struct Marking<'m, 'c, 'w, S> {
 impl<S: FragmentSink> FragmentSink for Marking<'_, '_, '_, S> {
     type Error = S::Error;
 
-    fn fragment(&mut self, fragment: crate::Fragment) -> Result<(), S::Error> {
+    fn fragment(&mut self, fragment: Fragment) -> Result<(), S::Error> {
         let (x, y) = (fragment.x, fragment.y);
         if let Marker::Colour(marked) = self.marker {
             marked.close(x, y);
