@@ -55,8 +55,8 @@ pub(super) fn slots_for_meetings<T: Plane>(rings: &Rings<'_, T>) -> usize {
     slots
 }
 
-/// Gives edges that meet a vertex there, and lets contours that cross change partners. What crosses only because new vertices are
-/// rounded is seen to as long as there are slots.
+/// Gives edges that meet a vertex there, and lets contours that cross change partners. What crosses only because new
+/// vertices are rounded is seen to as long as there are slots.
 pub(super) fn split_where_edges_meet<T: Plane>(rings: &mut Rings<'_, T>) {
     for _ in 0..ROUNDS {
         let before = rings.len();
@@ -92,7 +92,8 @@ pub(super) fn split_where_edges_meet<T: Plane>(rings: &mut Rings<'_, T>) {
     }
 }
 
-/// Rounding a vertex bends edges by half a unit: what that makes cross is rare, and what rounding its vertices makes cross, rarer.
+/// Rounding a vertex bends edges by half a unit: what that makes cross is rare, and what rounding its vertices makes
+/// cross, rarer.
 const ROUNDS: usize = 8;
 
 fn split<T: Plane>(rings: &mut Rings<'_, T>, first: usize, second: usize) {
@@ -127,8 +128,8 @@ fn insert<T: Plane>(rings: &mut Rings<'_, T>, after: usize, at: [T; 2]) -> Optio
     Some(corner)
 }
 
-/// Whether the ways through two corners at the same place cross: the second comes from one side of the first and leaves to the
-/// other. Ways that have an edge in common do not.
+/// Whether the ways through two corners at the same place cross: the second comes from one side of the first and
+/// leaves to the other. Ways that have an edge in common do not.
 fn cross_at<T: Plane>(rings: &Rings<'_, T>, first: usize, second: usize) -> bool {
     let ends = |corner| [rings.at(rings.previous(corner)), rings.at(rings.next(corner))];
     let at = rings.at(first);
