@@ -61,8 +61,8 @@ fn for_each_ring<T: Plane>(rings: &mut Rings<'_, T>, mut work: impl FnMut(&mut R
 /// change partners.
 ///
 /// ```text
-///      \ /            \ /       A hole (.) that touches the outline in a corner becomes a notch of it; one that touches
-///    ###x###   ->   ###x###     it twice parts the piece. Ears are cut off at corners as if nothing else were there.
+///      \ /            \ /       A hole (.) that touches the outline in a corner becomes a
+///    ###x###   ->   ###x###     notch of it; one that touches it twice parts the piece.
 ///    ##/.\##        ##/.\##
 /// ```
 fn part_where_rings_touch<T: Plane>(rings: &mut Rings<'_, T>) {
