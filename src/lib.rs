@@ -9,7 +9,7 @@
 //! Shape -clip-> Edge -one step a row-> Span, or a block of equal rows -> colour -> DrawTarget::fill_solid
 //! Cover -clip-> edges and cells -a row of pixels-> Span, run of coverage -> Blend -> fill_solid, fill_contiguous
 //!
-//! limits · subpixel · geometry, fragment · contours · turn · edge · span, error · coverage · area · shape, target · blend · draw · eg · methods
+//! limits · subpixel · geometry, fragment · contours · turn · edge · span, error · coverage · area · shape, target · blend · draw · seed_fill · eg · methods
 //! ```
 //!
 //! A module uses only what stands to its left. Shapes know no colours and no targets: they push [`Span`]s or blocks
@@ -112,6 +112,7 @@ mod geometry;
 mod limits;
 #[cfg(feature = "methods")]
 pub mod methods;
+mod seed_fill;
 mod shape;
 mod span;
 mod subpixel;
@@ -133,6 +134,7 @@ pub use error::{TooLittleScratch, TooManyEdges};
 pub use fixed::types::I24F8;
 pub use fragment::{Fragment, FragmentSink};
 pub use geometry::{PixelRect, Vertex};
+pub use seed_fill::{Connectivity, FillRegion, FillSegment, SeedFill, SeedFillError};
 pub use shape::{
     ActiveEdge, ActiveEdges, Circle, Cover, FillRule, Line, Polygon, PolygonCoverageIn,
     PolygonCoverageWith, PolygonEdges, PolygonInScratch, PolygonWithCapacity, SampleEdge, Shape, SupersampledIn,
