@@ -18,7 +18,10 @@
 //! The method is that of accumulation buffers and cell rasterizers (R. Levien, "font-rs", 2016; D. Turner, FreeType's
 //! smooth rasterizer, 2001), with weights for what the fill rule makes of a segment.
 
-use crate::area::source::{FINE_BITS, FINE_ONE};
+use crate::area::{
+    division::share,
+    source::{FINE_BITS, FINE_ONE},
+};
 
 /// Bits behind the binary point of distances and heights within a pixel.
 const CELL_BITS: u32 = 20;
@@ -53,8 +56,8 @@ impl Steepness {
     #[inline]
     pub(crate) fn of_segment(dx: u64, dy: u32) -> Self {
         let zeros = dx.leading_zeros();
-        let divisor = (dx << (zeros & 63) >> 32).max(1);
-        let factor = u32::try_from((u64::from(dy) << 47) / divisor).unwrap_or(u32::MAX);
+        #[allow(clippy::cast_possible_truncation, reason = "the upper half")]
+        let factor = share(dy, (dx << (zeros & 63) >> 32) as u32);
         #[allow(clippy::cast_possible_truncation, reason = "at most 63")]
         let shift = 63_u32.saturating_sub(zeros) as u8;
         Self { factor, shift }

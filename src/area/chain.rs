@@ -11,7 +11,7 @@
 //!    row bottom  ---x-------------
 //! ```
 //!
-//! On an edge x is `x0 + (y - y0) slope`, with `slope = dx / dy` rounded down to 2^-32. As an edge is at most 8192 pixels
+//! On an edge x is `x0 + (y - y0) slope`, with `slope = dx / dy` cut off at 2^-32. As an edge is at most 8192 pixels
 //! high, it is within 2^-19 pixel of the true line. Adding a slope is exact, so x does not depend on the row that the clip
 //! begins at.
 
@@ -19,6 +19,7 @@ use core::ops::Range;
 
 use crate::area::{
     accumulator::{Accumulator, Steepness},
+    division::ratio,
     source::{FINE_BITS, FINE_ONE, Source},
 };
 
@@ -141,7 +142,8 @@ impl CoverageEdge {
 
     #[inline]
     fn set_slope(&mut self, dx: i32, dy: i32) {
-        self.slope = (i64::from(dx) << 32).div_euclid(i64::from(dy.max(1)));
+        let slope = ratio(dx.unsigned_abs(), dy.unsigned_abs()).cast_signed();
+        self.slope = if dx < 0 { -slope } else { slope };
         self.steepness = Steepness::NONE;
     }
 

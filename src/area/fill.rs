@@ -233,8 +233,8 @@ impl Fill<'_, '_> {
             }
             return true;
         }
-        let chain = *chain;
         let accumulator = &mut self.accumulator;
+        let chain = &*chain;
         self.winding
             .pass(chain.top, chain.bottom, i32::from(chain.direction), &mut |top, bottom, winding| {
                 let weight = inside.weight(winding, chain.direction);

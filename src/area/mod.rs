@@ -3,6 +3,7 @@
 mod accumulator;
 mod chain;
 mod contour_areas;
+mod division;
 mod far;
 mod fill;
 mod order;

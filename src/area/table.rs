@@ -17,7 +17,11 @@ const NONE: u32 = u32::MAX;
 pub(super) struct Table<'a, 's> {
     pub(super) source: Source<'a>,
     pub(super) slots: &'s mut [CoverageEdge],
-    /// The first of the slots that hold nothing, in a list.
+    /// How many lists of tops there are.
+    lists: usize,
+    /// Slots from here on have not been used yet.
+    used: u32,
+    /// The first of those that have been, and hold nothing, in a list.
     free: u32,
     waiting: usize,
     pub(super) active: usize,
@@ -28,12 +32,12 @@ pub(super) struct Table<'a, 's> {
 
 impl<'a, 's> Table<'a, 's> {
     pub(super) fn new(source: Source<'a>, slots: &'s mut [CoverageEdge], rows: i32) -> Self {
-        let mut free = NONE;
-        for (slot, index) in slots.iter_mut().zip(0..NONE) {
-            (slot.starting, slot.state, slot.next) = (NONE, State::Free, free);
-            free = index;
+        // A list for each row, as far as there are slots; a slot is looked at when it is first used.
+        let lists = slots.len().min(rows.unsigned_abs() as usize);
+        for slot in slots.iter_mut().take(lists) {
+            slot.starting = NONE;
         }
-        Self { source, slots, free, waiting: 0, active: 0, horizon: 0, rows }
+        Self { source, slots, lists, used: 0, free: NONE, waiting: 0, active: 0, horizon: 0, rows }
     }
 
     #[inline]
@@ -47,14 +51,21 @@ impl<'a, 's> Table<'a, 's> {
     #[inline]
     fn take_free(&mut self) -> Option<u32> {
         let index = self.free;
-        self.free = self.slots.get(index as usize)?.next;
+        if let Some(slot) = self.slots.get(index as usize) {
+            self.free = slot.next;
+            return Some(index);
+        }
+        let index = self.used;
+        self.slots.get(index as usize)?;
+        self.used += 1;
         Some(index)
     }
 
     /// The slot whose list has the tops of a row.
     #[inline]
     fn list_of(&self, row: i32) -> usize {
-        (row.unsigned_abs() as usize) % self.slots.len().max(1)
+        let row = row.unsigned_abs() as usize;
+        if row < self.lists { row } else { row % self.lists.max(1) }
     }
 
     /// Puts a top into its list.
@@ -74,7 +85,7 @@ impl<'a, 's> Table<'a, 's> {
     /// Makes room by forgetting the top with the latest row, if that is after `row`.
     #[cold]
     fn drop_latest(&mut self, row: i32) -> Option<u32> {
-        let waiting = self.slots.iter().zip(0..NONE).filter(|(slot, _)| slot.state == State::Waits);
+        let waiting = self.slots.iter().zip(0..self.used).filter(|(slot, _)| slot.state == State::Waits);
         let (latest, place) = waiting.map(|(slot, place)| (slot.end, place)).max()?;
         if latest <= row {
             return None;
@@ -134,7 +145,7 @@ impl<'a, 's> Table<'a, 's> {
         if self.waiting == 0 {
             return self.horizon;
         }
-        let waiting = self.slots.iter().filter(|slot| slot.state == State::Waits);
+        let waiting = self.slots.iter().take(self.used as usize).filter(|slot| slot.state == State::Waits);
         waiting.map(|slot| slot.end).min().unwrap_or(i32::MAX).min(self.horizon).max(row)
     }
 
@@ -143,9 +154,11 @@ impl<'a, 's> Table<'a, 's> {
         if self.waiting == 0 {
             return;
         }
-        for index in 0..u32::try_from(self.slots.len()).unwrap_or(NONE) {
-            let Some(slot) = self.slots.get_mut(index as usize) else { break };
+        for slot in self.slots.iter_mut().take(self.lists) {
             slot.starting = NONE;
+        }
+        for index in 0..self.used {
+            let Some(slot) = self.slots.get_mut(index as usize) else { break };
             if slot.state == State::Waits {
                 self.release(index);
             }
