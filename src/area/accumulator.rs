@@ -66,13 +66,13 @@ impl Steepness {
     pub(crate) const NONE: Self = Self { factor: 0, shift: 0 };
 
     /// For a distance in 2^-32 pixel.
-    #[inline(always)]
+    #[inline]
     fn over(self, distance: u64) -> u64 {
         (distance >> FINE_BITS).wrapping_mul(u64::from(self.factor))
     }
 
     /// What that is in 2^-20 pixel, to the nearest.
-    #[inline(always)]
+    #[inline]
     fn height(self, product: u64) -> i32 {
         const FINER: u32 = CELL_BITS - FINE_BITS;
         let shift = u32::from(self.shift & 63);
@@ -99,7 +99,7 @@ impl Accumulator {
     }
 
     /// Moves an empty window.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn begin(&mut self, column: i32, base: i32) {
         self.left = column;
         self.base = base;
@@ -112,7 +112,7 @@ impl Accumulator {
     }
 
     /// Adds a segment between `x0` and `x1`, in 2^-32 pixel, which goes down `dy`, in 2^-16 pixel and at most one.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn add(&mut self, x0: i64, x1: i64, dy: i32, weight: i32, steepness: impl FnOnce() -> Steepness) {
         let column = column_of(x0);
         let index = column.wrapping_sub(self.left).cast_unsigned();
@@ -125,7 +125,7 @@ impl Accumulator {
     }
 
     /// `twice_x` is twice the segment's mean distance from the column's left side.
-    #[inline(always)]
+    #[inline]
     fn within_column(&mut self, index: usize, twice_x: i32, dy: i32, weight: i32) {
         let left = area(twice_x, dy);
         if let Some([here, next]) = self.differences.get_mut(index..).and_then(|rest| rest.first_chunk_mut::<2>()) {
@@ -135,7 +135,7 @@ impl Accumulator {
         self.touched |= (1 | usize::from(left != 0) << 1) << index;
     }
 
-    #[inline(always)]
+    #[inline]
     fn outside_or_wide(&mut self, x0: i64, x1: i64, dy: i32, weight: i32, steepness: impl FnOnce() -> Steepness) {
         let (first, last) = (column_of(x0).wrapping_sub(self.left), column_of(x1).wrapping_sub(self.left));
         if last < 0 {
@@ -208,7 +208,7 @@ impl Accumulator {
 }
 
 /// The column of an x in 2^-32 pixel.
-#[inline(always)]
+#[inline]
 fn column_of(x: i64) -> i32 {
     #[allow(clippy::cast_possible_truncation, reason = "the upper half")]
     let column = (x >> 32) as i32;
@@ -216,7 +216,7 @@ fn column_of(x: i64) -> i32 {
 }
 
 /// How far within its column, in 2^-20 pixel.
-#[inline(always)]
+#[inline]
 fn within(x: i64) -> i32 {
     #[allow(clippy::cast_possible_truncation, reason = "20 bits of the lower half")]
     let within = ((x as u32) >> (32 - CELL_BITS)).cast_signed();
@@ -224,7 +224,7 @@ fn within(x: i64) -> i32 {
 }
 
 /// `twice_x` at most 2^21, `dy` at most 2^20: 41 bits.
-#[inline(always)]
+#[inline]
 fn area(twice_x: i32, dy: i32) -> i32 {
     #[allow(clippy::cast_possible_truncation, reason = "at most 2^24")]
     let area = (i64::from(twice_x) * i64::from(dy) >> (2 * CELL_BITS + 1 - 24)) as i32;

@@ -147,13 +147,13 @@ impl CoverageEdge {
         self.steepness = Steepness::NONE;
     }
 
-    #[inline(always)]
+    #[inline]
     fn move_down(&mut self, dy: i32) {
         self.x = self.x.wrapping_add(self.slope.wrapping_mul(i64::from(dy)) >> FINE_BITS);
     }
 
     /// From one row to the next: where it is at the bottom, and what it reaches; how far to the left.
-    #[inline(always)]
+    #[inline]
     pub(super) fn advance(&mut self, source: &Source<'_>, row_top: i32) -> i32 {
         if self.end > row_top + FINE_ONE && self.top == 0 {
             // Most of all: an edge that crosses the whole row.
@@ -203,19 +203,19 @@ impl CoverageEdge {
     }
 
     /// What is at the bottom of a row is at the top of the next.
-    #[inline(always)]
+    #[inline]
     pub(super) fn leave_row(&mut self) {
         (self.x_top, self.top_index, self.top) = (self.x, self.index, 0);
     }
 
     /// Whether it crosses the whole row.
-    #[inline(always)]
+    #[inline]
     pub(super) fn is_whole(&self) -> bool {
         self.top == 0 && self.bottom == FINE_ONE
     }
 
     /// Where it crosses the top and the bottom of the row, if it does both without a vertex.
-    #[inline(always)]
+    #[inline]
     pub(super) fn ends_if_single(&self) -> Option<(i64, i64)> {
         self.is_single.then_some((self.x_top, self.x))
     }
@@ -237,7 +237,7 @@ impl CoverageEdge {
     }
 
     /// Adds it to a row, with a weight.
-    #[inline(always)]
+    #[inline]
     pub(super) fn add(&mut self, source: &Source<'_>, row_top: i32, weight: i32, accumulator: &mut Accumulator) {
         if self.is_single {
             let Self { slope, steepness, .. } = self;
@@ -296,26 +296,26 @@ impl Default for CoverageEdge {
 const _: () = assert!(size_of::<CoverageEdge>() == 80);
 
 /// From 2^-16 pixel to 2^-32.
-#[inline(always)]
+#[inline]
 fn finest(x: i32) -> i64 {
     i64::from(x) << FINE_BITS
 }
 
 /// From 2^-32 pixel to 2^-16.
-#[inline(always)]
+#[inline]
 fn floor(x: i64) -> i32 {
     #[allow(clippy::cast_possible_truncation, reason = "at most 2^30")]
     let x = (x >> FINE_BITS) as i32;
     x
 }
 
-#[inline(always)]
+#[inline]
 fn ceil(x: i64) -> i32 {
     floor(x + i64::from(FINE_ONE - 1))
 }
 
 /// The same, to the nearest.
-#[inline(always)]
+#[inline]
 pub(super) fn nearest(x: i64) -> i32 {
     floor(x + i64::from(FINE_ONE / 2))
 }
@@ -405,7 +405,7 @@ pub(super) struct Lines<'s, 'a> {
 impl Iterator for Lines<'_, '_> {
     type Item = Line;
 
-    #[inline(always)]
+    #[inline]
     fn next(&mut self) -> Option<Line> {
         loop {
             let (x0, y0) = self.start;

@@ -15,7 +15,7 @@ pub(super) fn share(dy: u32, divisor: u32) -> u32 {
     share_in::<HAS_WIDE_DIVISION>(dy, divisor)
 }
 
-#[inline(always)]
+#[inline]
 fn ratio_in<const WIDE: bool>(numerator: u32, divisor: u32) -> u64 {
     if WIDE {
         return (u64::from(numerator) << 32).checked_div(divisor.into()).unwrap_or(0);
@@ -26,7 +26,7 @@ fn ratio_in<const WIDE: bool>(numerator: u32, divisor: u32) -> u64 {
     u64::from(whole) << 32 | u64::from(divide(rest << zeros, 0, divisor << zeros))
 }
 
-#[inline(always)]
+#[inline]
 fn share_in<const WIDE: bool>(dy: u32, divisor: u32) -> u32 {
     if WIDE {
         let quotient = (u64::from(dy) << 47).checked_div(divisor.into()).unwrap_or(0);

@@ -41,13 +41,13 @@ pub(crate) struct Inside {
 }
 
 impl Inside {
-    #[inline(always)]
+    #[inline]
     pub(super) fn of(self, winding: i32) -> i32 {
         i32::from(winding & self.mask != 0)
     }
 
     /// The weight of what changes a winding.
-    #[inline(always)]
+    #[inline]
     pub(super) fn weight(self, winding: i32, direction: i8) -> i32 {
         self.of(winding + i32::from(direction)) - self.of(winding)
     }
@@ -100,7 +100,7 @@ pub(super) struct Fill<'a, 's> {
 }
 
 impl Fill<'_, '_> {
-    #[inline(always)]
+    #[inline]
     pub(super) fn row_top(&self) -> i32 {
         self.row << FINE_BITS
     }
@@ -171,7 +171,7 @@ impl Fill<'_, '_> {
     }
 
     /// The chains from `place` on whose extents overlap: the place behind the last, and how far they reach.
-    #[inline(always)]
+    #[inline]
     fn group(&self, place: usize) -> (usize, i32) {
         let mut high = self.table.chain(place).map_or(i32::MIN, |chain| chain.high);
         let mut end = place + 1;
@@ -183,7 +183,7 @@ impl Fill<'_, '_> {
     }
 
     /// Adds a group; `false` where there are too many levels.
-    #[inline(always)]
+    #[inline]
     fn add_group(&mut self, place: usize, end: usize) -> bool {
         if end - place == 1 {
             return self.add_chain(place);
@@ -218,7 +218,7 @@ impl Fill<'_, '_> {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     fn add_chain(&mut self, place: usize) -> bool {
         let row_top = self.row_top();
         let (source, inside) = (self.table.source, self.inside);
@@ -294,7 +294,7 @@ impl Fill<'_, '_> {
 }
 
 /// Whether an area is more than nothing.
-#[inline(always)]
+#[inline]
 fn rounds_up(area: i32) -> bool {
     area > FULL >> 16
 }

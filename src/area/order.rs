@@ -123,7 +123,7 @@ fn apart(a: &Line, b: &Line, y: i32) -> i64 {
 
 impl Side {
     /// With what is known of one more height.
-    #[inline(always)]
+    #[inline]
     fn and(self, apart: i64) -> Self {
         let here = if apart < -TOLERANCE {
             Self::Left

@@ -47,7 +47,7 @@ impl Piece {
         (self.line.y0, self.line.y1, self.direction)
     }
 
-    #[inline(always)]
+    #[inline]
     fn x_at(&self, y: i32) -> i64 {
         if y == self.line.y1 { self.line.x1 } else { self.line.x0 + (self.slope * i64::from(y - self.line.y0) >> 16) }
     }
@@ -135,7 +135,7 @@ fn sort_band(band: &mut [Piece], y: i32, mut to: i32) -> i32 {
 }
 
 /// By insertion: they are few, and mostly in order.
-#[inline(always)]
+#[inline]
 fn sort_by(pieces: &mut [Piece], key: impl Fn(&Piece) -> i64) {
     for at in 1..pieces.len() {
         let mut place = at;

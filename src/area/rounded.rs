@@ -17,7 +17,7 @@ pub(crate) struct Rounded<'s, S: CoverageSink> {
 }
 
 /// `area` is off the range from 0 to 2^24 by less than 2^15: then `255 area + 2^23` is within 0..2^32.
-#[inline(always)]
+#[inline]
 fn rounded(area: i32) -> u8 {
     #[allow(clippy::cast_possible_truncation, reason = "below 256")]
     let coverage = ((area << 8).wrapping_sub(area).wrapping_add(1 << 23).cast_unsigned() >> 24) as u8;

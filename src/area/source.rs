@@ -133,7 +133,7 @@ impl Source<'_> {
 }
 
 /// At most 2^21 away.
-#[inline(always)]
+#[inline]
 fn relative(vertex: Vertex, (x, y): (i32, i32)) -> Point {
     const FINER: u32 = FINE_BITS - SUBPIXEL_BITS;
     Point {

@@ -207,24 +207,24 @@ impl<'a, 's> Table<'a, 's> {
         self.active += 1;
     }
 
-    #[inline(always)]
+    #[inline]
     pub(super) fn place(&self, place: usize) -> Place {
         self.slots.get(place).map_or(Place { low: 0, slot: NONE }, |slot| slot.place)
     }
 
-    #[inline(always)]
+    #[inline]
     pub(super) fn set_place(&mut self, place: usize, to: Place) {
         if let Some(slot) = self.slots.get_mut(place) {
             slot.place = to;
         }
     }
 
-    #[inline(always)]
+    #[inline]
     pub(super) fn chain(&self, place: usize) -> Option<&CoverageEdge> {
         self.slots.get(self.place(place).slot as usize)
     }
 
-    #[inline(always)]
+    #[inline]
     pub(super) fn chain_mut(&mut self, place: usize) -> Option<&mut CoverageEdge> {
         let slot = self.place(place).slot;
         self.slots.get_mut(slot as usize)

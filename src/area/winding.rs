@@ -37,13 +37,13 @@ impl Winding {
         Self { levels: [Level { end: FINE_ONE, winding }; CAPACITY], count: 1 }
     }
 
-    #[inline(always)]
+    #[inline]
     pub(crate) fn levels(&self) -> &[Level] {
         self.levels.get(..self.count).unwrap_or_default()
     }
 
     /// The winding of all heights, if it is one.
-    #[inline(always)]
+    #[inline]
     pub(crate) fn flat(&self) -> Option<i32> {
         match (self.count, &self.levels) {
             (1, [first, ..]) => Some(first.winding),
@@ -51,7 +51,7 @@ impl Winding {
         }
     }
 
-    #[inline(always)]
+    #[inline]
     pub(crate) fn set_flat(&mut self, winding: i32) {
         self.count = 1;
         if let [first, ..] = &mut self.levels {
