@@ -9,7 +9,7 @@
 //! Shape -clip-> Edge -one step a row-> Span, or a block of equal rows -> colour -> DrawTarget::fill_solid
 //! Cover -clip-> edges and cells -a row of pixels-> Span, run of coverage -> Blend -> fill_solid, fill_contiguous
 //!
-//! limits · subpixel · geometry, fragment · turn · edge · span, error · coverage · shape, target · blend · draw · eg · methods
+//! limits · subpixel · geometry, fragment · turn · edge · span, error · coverage · shape, target · blend · draw · attribute · eg · methods
 //! ```
 //!
 //! A module uses only what stands to its left. Shapes know no colours and no targets: they push [`Span`]s or blocks
@@ -98,6 +98,7 @@
     clippy::unwrap_used
 )]
 
+mod attribute;
 mod blend;
 mod coverage;
 mod draw;
@@ -122,6 +123,11 @@ struct Readme;
 #[cfg(test)]
 extern crate std;
 
+pub use attribute::{
+    Affine, AttributeSink, Attributes, Barycentric, Channels, DepthBuffer, DepthBufferError, DepthTest, DepthTested,
+    EXACT, EmptyTexture, Filter, Gouraud, NotInFront, PACKED, Perspective, Shaded, Texture, Values, Weights, Wrap,
+    average,
+};
 pub use blend::{Blend, Dither, InPlace, Linear, Mix, MixLinear, Over, ReadBack};
 pub use coverage::{Cell, CoverageSink, SampleCell, Samples};
 pub use draw::{AntiAlias, AntiAliased, Fill, Filled};
@@ -140,5 +146,5 @@ pub use turn::Turn;
 
 /// The traits that a program which draws needs in scope.
 pub mod prelude {
-    pub use crate::{AntiAlias as _, Cover as _, Fill as _, Shape as _};
+    pub use crate::{AntiAlias as _, Attributes as _, Cover as _, Fill as _, Shape as _};
 }

@@ -17,6 +17,9 @@ Commands:
   cycles [--csv OUT] [--readme FILE]
                      Runs `cycles` on an emulated Cortex-M4: a table of instructions a shape. The CSV rows follow the
                      table, or go to OUT. In FILE, the table replaces what stands between its two `cycles` markers.
+  attributes [--csv OUT]
+                     Runs `attributes` on an emulated Cortex-M4: a table of instructions a pixel of triangles whose
+                     colour, texture or depth varies. The CSV rows follow the table, or go to OUT.
 
 Environment:
   SPANFILL_TOOLCHAIN   `rustup`: the toolchain in use, with rustup's targets, which are added where they are missing.
@@ -109,6 +112,7 @@ build_everything() {
     done
     build_oled >/dev/null
     build_cycles >/dev/null
+    build_firmware attributes thumbv7em-none-eabi >/dev/null
     echo "run.sh: linking no_panic, which fails if the library has a panic path" >&2
     # Every shape with every blending is more than the board has room for, and need not run.
     build_firmware no_panic thumbv7m-none-eabi --features embedded-graphics \
@@ -206,6 +210,29 @@ run_cycles() {
     [[ -z $readme ]] || put_table_into "$readme"
 }
 
+run_attributes() {
+    local csv=
+    while (($#)); do
+        case $1 in
+        --csv) csv=$(in_caller_dir "${2:?--csv needs the name of a file}") ;;
+        *) fail "attributes does not know '$1'; see --help" ;;
+        esac
+        shift 2
+    done
+    need qemu-system-arm qemu-system-arm
+    local elf
+    elf=$(build_firmware attributes thumbv7em-none-eabi)
+    timeout 300 qemu-system-arm -machine mps2-an386 -icount shift=0 -nographic \
+        -semihosting-config enable=on,target=native -kernel "$elf" </dev/null >"$scratch/said" ||
+        fail "the firmware failed: $(cat "$scratch/said")"
+    sed '/^$/,$d' "$scratch/said"
+    if [[ -n $csv ]]; then
+        sed '1,/^$/d' "$scratch/said" >"$csv"
+    else
+        sed -n '/^$/,$p' "$scratch/said"
+    fi
+}
+
 # put_table_into FILE: replaces what stands between its two markers.
 put_table_into() {
     grep -q '<!-- cycles:begin -->' "$1" && grep -q '<!-- cycles:end -->' "$1" ||
@@ -227,7 +254,7 @@ case $command in
     usage
     exit
     ;;
-build | oled | cycles) ;;
+build | oled | cycles | attributes) ;;
 *) fail "there is no '$command'; see --help" ;;
 esac
 
@@ -256,4 +283,5 @@ case $command in
 build) build_everything ;;
 oled) run_oled "$(in_caller_dir "${1:-oled.png}")" ;;
 cycles) run_cycles "$@" ;;
+attributes) run_attributes "$@" ;;
 esac
