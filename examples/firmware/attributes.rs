@@ -17,7 +17,6 @@ use core::{convert::Infallible, fmt::Write as _};
 
 use cortex_m_semihosting::{debug, hio};
 use embedded_graphics::{
-    Pixel,
     image::GetPixel,
     pixelcolor::Rgb565,
     prelude::*,
