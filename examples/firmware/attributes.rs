@@ -16,12 +16,7 @@ mod scenes;
 use core::{convert::Infallible, fmt::Write as _};
 
 use cortex_m_semihosting::{debug, hio};
-use embedded_graphics::{
-    image::GetPixel,
-    pixelcolor::Rgb565,
-    prelude::*,
-    primitives::Rectangle,
-};
+use embedded_graphics::{image::GetPixel, pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 use panic_semihosting as _;
 use spanfill::{
     Affine, Attributes, DepthBuffer, DepthTest, Fill, Filter, Gouraud, Perspective, PixelRect, Shape, Span, SpanSink,
@@ -114,7 +109,8 @@ fn main() -> ! {
 
     let mut host = hio::hstdout().expect("the host takes text");
     let mut csv = heapless::String::<4096>::new();
-    writeln!(host, "| triangle | drawn | instructions | a pixel | of which set-up |\n|---|---|--:|--:|--:|").expect("text");
+    writeln!(host, "| triangle | drawn | instructions | a pixel | of which set-up |\n|---|---|--:|--:|--:|")
+        .expect("text");
     for box_px in [10, 50, 200] {
         let scenes = scenes(box_px);
         let mut all = Count { pixels: 0, rows: 0 };
@@ -215,9 +211,8 @@ fn scenes(box_px: i32) -> [Scene; SHAPES] {
         let [a, b, c] = triangles.next().expect("endless").map(|[x, y]: PixelPoint| Point::new(x, y));
         Scene {
             triangle: Triangle::new(a, b, c),
-            colours: [(); 3].map(|()| {
-                Rgb565::new(random.below(32) as u8, random.below(64) as u8, random.below(32) as u8)
-            }),
+            colours: [(); 3]
+                .map(|()| Rgb565::new(random.below(32) as u8, random.below(64) as u8, random.below(32) as u8)),
             texels: [(); 3].map(|()| [random.below(64 * 256), random.below(64 * 256)]),
             distances: [(); 3].map(|()| 1000 + random.below(3000)),
             depths: [(); 3].map(|()| random.below(65536) as u16),

@@ -85,7 +85,15 @@ impl Affine<3> {
     }
 }
 
-impl<W: Word, const N: usize> Values<N> for Rightwards<W, N> {}
+impl<W: Word, const N: usize> Values<N> for Rightwards<W, N> {
+    /// Out of line: within a walk, its registers would be taken.
+    #[inline(never)]
+    fn write<T>(self, into: &mut [T], mut write: impl FnMut(&mut T, [i32; N])) {
+        for (item, values) in into.iter_mut().zip(self) {
+            write(item, values);
+        }
+    }
+}
 
 /// A depth that an exact interpolation of 16 bits gave.
 #[inline(always)]

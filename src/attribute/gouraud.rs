@@ -226,12 +226,10 @@ macro_rules! impl_packed {
                     return self.triangle.filled(colour).draw(target);
                 }
                 let clip = PixelRect::from(target.bounding_box());
-                self.pieces(&clip, |area, mut words| {
+                self.pieces(&clip, |area, words| {
                     let (row, x) = (area.top_left.y, area.top_left.x);
                     let columns = x..x.wrapping_add_unsigned(area.size.width);
-                    for pixel in row_of(target, &crate::Span { row, columns }) {
-                        *pixel = words.next();
-                    }
+                    words.fill(row_of(target, &crate::Span { row, columns }));
                     Ok(())
                 })
             }
@@ -275,6 +273,14 @@ impl<C: Packed> Words<C> {
     const MIDDLE_FRACTION: u32 = 30 - C::GREEN_BITS;
     const SPARE: u32 = 2;
 
+    /// Out of line: within a walk, its registers would be taken.
+    #[inline(never)]
+    fn fill(mut self, row: &mut [C]) {
+        for pixel in row {
+            *pixel = self.next();
+        }
+    }
+
     #[inline(always)]
     fn next(&mut self) -> C {
         let high = self.outer >> (16 + HALF_WORD_FRACTION);
@@ -283,8 +289,9 @@ impl<C: Packed> Words<C> {
         self.outer = self.outer.wrapping_add(self.outer_step);
         self.middle = self.middle.wrapping_add(self.middle_step);
         let bits = low | (middle << 5) | (high << (5 + C::GREEN_BITS));
-        let [low, high, ..] = bits.to_le_bytes();
-        C::from_bits(u16::from_le_bytes([low, high]))
+        #[allow(clippy::cast_possible_truncation, reason = "16 bits at most, see the module")]
+        let bits = bits as u16;
+        C::from_bits(bits)
     }
 }
 

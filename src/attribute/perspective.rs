@@ -27,7 +27,7 @@ use crate::{
     attribute::{
         AttributeSink, Attributes, Values,
         affine::depth,
-        plane::{Planes, Rightwards, Strides, Word},
+        plane::{Planes, Standing, Strides, Word},
         walk::{Oriented, walk},
     },
 };
@@ -172,8 +172,8 @@ impl<W: Word, const N: usize> super::walk::Follow for Quotients<W, N> {
 /// The values of a span, piece by piece.
 #[derive(Debug)]
 struct Pieces<'p, W: Word, const N: usize> {
-    numerators: Rightwards<W, N>,
-    inverse: Rightwards<W, 1>,
+    numerators: Standing<W, N>,
+    inverse: Standing<W, 1>,
     strides: &'p (Strides<W, N>, Strides<W, 1>),
     bases: [i32; N],
     ranges: [i32; N],
@@ -233,7 +233,7 @@ impl<W: Word, const N: usize> Pieces<'_, W, N> {
         }
         loop {
             let length = self.rest.min(1 << self.length_log2);
-            let (mut numerators, mut inverse) = (self.numerators.clone(), self.inverse.clone());
+            let (mut numerators, mut inverse) = (self.numerators, self.inverse);
             numerators.advance(length, &self.strides.0);
             inverse.advance(length, &self.strides.1);
             let [w] = inverse.values();
@@ -296,20 +296,26 @@ impl<W: Word, const N: usize> Iterator for Pieces<'_, W, N> {
 }
 
 impl<W: Word, const N: usize> Values<N> for Pieces<'_, W, N> {
-    #[inline(always)]
+    #[inline(never)]
     fn write<T>(mut self, into: &mut [T], mut write: impl FnMut(&mut T, [i32; N])) {
         let mut rest = into;
         while !rest.is_empty() {
             self.refill();
-            let mut piece = self.piece;
+            let piece = self.piece;
             self.piece.left = 0;
             let length = usize::try_from(piece.left).unwrap_or(1).min(rest.len());
             let Some((now, later)) = rest.split_at_mut_checked(length) else { return };
-            for item in now {
-                write(item, piece.next());
-            }
+            write_piece(piece, now, &mut write);
             rest = later;
         }
+    }
+}
+
+/// Out of line: within a walk, its registers would be taken.
+#[inline(never)]
+fn write_piece<T, const N: usize>(mut piece: Piece<N>, into: &mut [T], write: &mut impl FnMut(&mut T, [i32; N])) {
+    for item in into {
+        write(item, piece.next());
     }
 }
 
@@ -321,7 +327,7 @@ impl<W: Word, const N: usize> Quotients<W, N> {
         width: u32,
         strides: &'p (Strides<W, N>, Strides<W, 1>),
     ) -> Pieces<'p, W, N> {
-        let (numerators, inverse) = (self.numerators.to_the_right(), self.inverse.to_the_right());
+        let (numerators, inverse) = (self.numerators.standing(), self.inverse.standing());
         let [w] = inverse.values();
         let w = w.max(1);
         Pieces {

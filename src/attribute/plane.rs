@@ -105,12 +105,53 @@ fn divide_narrow(n: i64, area: u32) -> (i32, u32) {
     }
 }
 
-#[inline(never)]
+/// The quotient modulo 2^32.
+#[cfg(target_pointer_width = "64")]
+#[inline]
 fn divide_long(magnitude: u64, area: u32) -> (u32, u32) {
     let area = u64::from(area.max(1));
     #[allow(clippy::cast_possible_truncation, reason = "the quotient is wanted modulo 2^32, the remainder is less")]
     let parts = ((magnitude / area) as u32, (magnitude % area) as u32);
     parts
+}
+
+#[cfg(not(target_pointer_width = "64"))]
+use divide_by_digits as divide_long;
+
+/// The quotient modulo 2^32, by three divisions of 32 bits: a fifth of what the compiler's own takes.
+///
+/// The upper word only counts by its remainder. Two digits of 16 bits follow, as by hand: with the divisor shifted up
+/// until its highest bit is set, a digit guessed from its upper half is at most two too large (D. E. Knuth, "The art
+/// of computer programming", volume 2, 4.3.1, algorithm D).
+#[cfg(any(test, not(target_pointer_width = "64")))]
+#[inline(never)]
+fn divide_by_digits(magnitude: u64, area: u32) -> (u32, u32) {
+    let area = area.max(1);
+    #[allow(clippy::cast_possible_truncation, reason = "the two words")]
+    let (high, low) = ((magnitude >> 32) as u32 % area, magnitude as u32);
+    let shift = area.leading_zeros();
+    let divisor = area << shift;
+    let shifted = ((u64::from(high) << 32) | u64::from(low)) << shift;
+    #[allow(clippy::cast_possible_truncation, reason = "the two words")]
+    let (high, low) = ((shifted >> 32) as u32, shifted as u32);
+    // Never below 2^15; the compiler does not know.
+    let (upper, lower) = ((divisor >> 16).max(1), divisor & 0xffff);
+    let digit = |rest: u32, next: u32| {
+        let (mut digit, guess_rest) = (rest / upper, rest % upper);
+        let mut left = guess_rest;
+        while digit > 0xffff || digit.wrapping_mul(lower) > ((left << 16) | next) {
+            digit = digit.wrapping_sub(1);
+            left = left.wrapping_add(upper);
+            if left > 0xffff {
+                break;
+            }
+        }
+        let rest = (rest << 16).wrapping_add(next).wrapping_sub(digit.wrapping_mul(divisor));
+        (digit, rest)
+    };
+    let (first, rest) = digit(high, low >> 16);
+    let (second, rest) = digit(rest, low & 0xffff);
+    ((first << 16).wrapping_add(second), rest >> shift)
 }
 
 /// For everything: `|256 gx| < 2^74`, and `gx x` below 2^99.
@@ -290,7 +331,7 @@ impl<W: Word, const N: usize> Planes<W, N> {
     }
 
     /// The values at the current centre, by a division each.
-    #[inline]
+    #[inline(never)]
     fn evaluate(&mut self) {
         let (x0, y0) = self.origin;
         let (x, y) = (distance(self.column, x0), distance(self.row, y0));
@@ -301,7 +342,7 @@ impl<W: Word, const N: usize> Planes<W, N> {
     }
 
     /// Goes to a centre that is inside.
-    #[inline(always)]
+    #[inline(never)]
     pub(crate) fn go_to(&mut self, row: i32, column: i32) {
         let columns = column.wrapping_sub(self.column);
         let rows = row.wrapping_sub(self.row);
@@ -312,14 +353,17 @@ impl<W: Word, const N: usize> Planes<W, N> {
             }
             return;
         }
-        for ((at, down), right) in self.current.iter_mut().zip(&self.down).zip(&self.right) {
-            at.step(down, self.area);
+        let area = self.area;
+        for ((current, down), right) in self.current.iter_mut().zip(&self.down).zip(&self.right) {
+            let (mut at, right) = (*current, *right);
+            at.step(down, area);
             for _ in 0..columns {
-                at.step(right, self.area);
+                at.step(&right, area);
             }
             for _ in columns..0 {
-                at.step_back(right, self.area);
+                at.step_back(&right, area);
             }
+            *current = at;
         }
     }
 
@@ -329,8 +373,13 @@ impl<W: Word, const N: usize> Planes<W, N> {
         Rightwards { area: self.area, current: self.current, steps: self.right }
     }
 
+    #[inline(always)]
+    pub(crate) fn standing(&self) -> Standing<W, N> {
+        Standing(self.current)
+    }
+
     /// Steps to the right of 1, 2, 4, 8 and 16 pixels.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn strides(&self) -> Strides<W, N> {
         let mut steps = [self.right; 5];
         let mut previous = self.right;
@@ -355,11 +404,14 @@ pub(crate) struct Strides<W, const N: usize> {
     steps: [[Step<W>; N]; 5],
 }
 
-impl<W: Word, const N: usize> Rightwards<W, N> {
-    /// The values at the current centre.
+/// Values at a centre, without the steps.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Standing<W, const N: usize>([At<W>; N]);
+
+impl<W: Word, const N: usize> Standing<W, N> {
     #[inline(always)]
     pub(crate) fn values(&self) -> [i32; N] {
-        self.current.map(|at| at.value)
+        self.0.map(|at| at.value)
     }
 
     /// Goes `columns` to the right, in `0..=16`.
@@ -367,7 +419,7 @@ impl<W: Word, const N: usize> Rightwards<W, N> {
     pub(crate) fn advance(&mut self, columns: u32, strides: &Strides<W, N>) {
         for (bit, steps) in strides.steps.iter().enumerate() {
             if columns >> bit & 1 != 0 {
-                for (at, step) in self.current.iter_mut().zip(steps) {
+                for (at, step) in self.0.iter_mut().zip(steps) {
                     at.step(step, strides.area);
                 }
             }
@@ -405,5 +457,26 @@ impl<W: Word, const N: usize> Iterator for Rightwards<W, N> {
             at.step(step, self.area);
         }
         Some(values)
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::cast_possible_truncation, reason = "what is tested is modulo 2^32")]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_divisions_are_the_same_in_any_words() {
+        let mut state = 1_u64;
+        let mut next = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state ^ (state >> 29)
+        };
+        for _ in 0..1_000_000 {
+            let magnitude = next() >> (next() % 64);
+            let area = ((next() >> 32) as u32 >> (next() % 32)).max(1);
+            let expected = ((magnitude / u64::from(area)) as u32, (magnitude % u64::from(area)) as u32);
+            assert_eq!(divide_by_digits(magnitude, area), expected, "{magnitude} {area}");
+        }
     }
 }
