@@ -103,8 +103,8 @@ fn main() -> ! {
     let mut depths = DepthBuffer::new(area, FRAME_WIDTH as usize, memory).expect("it is large enough");
     let texture = Texture::new(&BOARD, Wrap::Repeat, Filter::Nearest).expect("it has texels");
     let bilinear = Texture::new(&BOARD, Wrap::Repeat, Filter::Bilinear).expect("it has texels");
-    let texel = |at: [i32; 2]| texture.texel(at).unwrap_or(Rgb565::BLACK);
-    let mixed = |at: [i32; 2]| bilinear.sample(at).unwrap_or(Rgb565::BLACK);
+    let texel = move |at: [i32; 2]| texture.texel(at).unwrap_or(Rgb565::BLACK);
+    let mixed = move |at: [i32; 2]| bilinear.sample(at).unwrap_or(Rgb565::BLACK);
     let colour = |channels: [i32; 3]| Rgb565::new(channels[0] as u8, channels[1] as u8, channels[2] as u8);
 
     let mut host = hio::hstdout().expect("the host takes text");

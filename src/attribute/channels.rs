@@ -2,13 +2,19 @@
 
 use embedded_graphics_core::pixelcolor::{
     Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor, PixelColor, Rgb555, Rgb565, Rgb666,
-    Rgb888, RgbColor,
+    Rgb888, RgbColor, raw::RawData,
 };
 
 /// A colour of `N` channels that can be interpolated: every colour of embedded-graphics, and others by implementing it.
 pub trait Channels<const N: usize>: PixelColor {
     /// The last step of each channel; the first is 0.
     const LAST: [i32; N];
+
+    /// What one step of each channel adds to the colour's bits.
+    const UNITS: [u32; N];
+
+    /// The colour with these bits: the sum of each channel's step times its unit.
+    fn from_bits(bits: u32) -> Self;
 
     /// The step of each channel: red, green and blue, or grey.
     fn channels(self) -> [i32; N];
@@ -25,9 +31,15 @@ const fn step(channel: i32) -> u8 {
 }
 
 macro_rules! impl_rgb {
-    ($($colour:ident)+) => {
+    ($($colour:ident: $units:expr;)+) => {
         $(impl Channels<3> for $colour {
             const LAST: [i32; 3] = [Self::MAX_R as i32, Self::MAX_G as i32, Self::MAX_B as i32];
+            const UNITS: [u32; 3] = $units;
+
+            #[inline(always)]
+            fn from_bits(bits: u32) -> Self {
+                <Self as PixelColor>::Raw::from_u32(bits).into()
+            }
 
             #[inline(always)]
             fn channels(self) -> [i32; 3] {
@@ -46,6 +58,12 @@ macro_rules! impl_grey {
     ($($colour:ident: $last:literal;)+) => {
         $(impl Channels<1> for $colour {
             const LAST: [i32; 1] = [$last];
+            const UNITS: [u32; 1] = [1];
+
+            #[inline(always)]
+            fn from_bits(bits: u32) -> Self {
+                <Self as PixelColor>::Raw::from_u32(bits).into()
+            }
 
             #[inline(always)]
             fn channels(self) -> [i32; 1] {
@@ -60,11 +78,26 @@ macro_rules! impl_grey {
     };
 }
 
-impl_rgb!(Rgb555 Bgr555 Rgb565 Bgr565 Rgb666 Bgr666 Rgb888 Bgr888);
+impl_rgb! {
+    Rgb555: [1 << 10, 1 << 5, 1];
+    Bgr555: [1, 1 << 5, 1 << 10];
+    Rgb565: [1 << 11, 1 << 5, 1];
+    Bgr565: [1, 1 << 5, 1 << 11];
+    Rgb666: [1 << 12, 1 << 6, 1];
+    Bgr666: [1, 1 << 6, 1 << 12];
+    Rgb888: [1 << 16, 1 << 8, 1];
+    Bgr888: [1, 1 << 8, 1 << 16];
+}
 impl_grey!(Gray2: 3; Gray4: 15; Gray8: 255;);
 
 impl Channels<1> for BinaryColor {
     const LAST: [i32; 1] = [1];
+    const UNITS: [u32; 1] = [1];
+
+    #[inline(always)]
+    fn from_bits(bits: u32) -> Self {
+        Self::from(bits > 0)
+    }
 
     #[inline(always)]
     fn channels(self) -> [i32; 1] {

@@ -128,8 +128,31 @@ impl<C: PixelColor> Gouraud<C> {
         if let Some(colour) = self.flat() {
             return self.triangle.filled(colour).draw(target);
         }
-        self.affine().shaded(C::from_channels).draw_on(target);
-        Ok(())
+        let clip = PixelRect::from(target.bounding_box());
+        let Some(oriented) = Oriented::new(&self.triangle) else { return Ok(()) };
+        match oriented.narrow(&self.colours.map(C::channels)) {
+            Some(area) => self.rows(&oriented, area, &clip, target),
+            None => self.rows(&oriented, oriented.area, &clip, target),
+        }
+    }
+
+    #[inline]
+    fn rows<W: Word, D: PixelRows<Color = C>, const N: usize>(
+        &self,
+        oriented: &Oriented,
+        area: W,
+        clip: &PixelRect,
+        target: &mut D,
+    ) -> Result<(), D::Error>
+    where
+        C: Channels<N>,
+    {
+        let values = oriented.ordered(&self.colours).map(C::channels);
+        let make = |start| Planes::new(&oriented.vertices, &values, area, start);
+        walk(&self.triangle, clip, make, |span, planes: &Planes<W, N>| {
+            fill_joined(row_of(target, &span), planes);
+            Ok(())
+        })
     }
 
     /// Its channels as attributes.
@@ -139,6 +162,15 @@ impl<C: PixelColor> Gouraud<C> {
         C: Channels<N>,
     {
         Affine::new(self.triangle, self.colours.map(C::channels))
+    }
+}
+
+/// Out of line: within a walk, its registers would be taken.
+#[inline(never)]
+fn fill_joined<W: Word, C: Channels<N>, const N: usize>(row: &mut [C], planes: &Planes<W, N>) {
+    let mut joined = planes.joined(C::UNITS);
+    for pixel in row {
+        *pixel = C::from_bits(joined.next());
     }
 }
 
@@ -177,7 +209,7 @@ const HALF_WORD_FRACTION: u32 = 11;
 trait Packed: Channels<3> {
     const GREEN_BITS: u32;
 
-    fn from_bits(bits: u16) -> Self;
+    fn from_halfword(bits: u16) -> Self;
     /// The channels in the order of the bits, from the highest down.
     fn in_order(self) -> [i32; 3];
 }
@@ -188,7 +220,7 @@ macro_rules! impl_packed {
             const GREEN_BITS: u32 = $bits;
 
             #[inline(always)]
-            fn from_bits(bits: u16) -> Self {
+            fn from_halfword(bits: u16) -> Self {
                 <Self as PixelColor>::Raw::from_u32(bits.into()).into()
             }
 
@@ -291,7 +323,7 @@ impl<C: Packed> Words<C> {
         let bits = low | (middle << 5) | (high << (5 + C::GREEN_BITS));
         #[allow(clippy::cast_possible_truncation, reason = "16 bits at most, see the module")]
         let bits = bits as u16;
-        C::from_bits(bits)
+        C::from_halfword(bits)
     }
 }
 

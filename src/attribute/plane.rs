@@ -404,6 +404,59 @@ pub(crate) struct Strides<W, const N: usize> {
     steps: [[Step<W>; N]; 5],
 }
 
+/// `N` values in one number, each times its unit: what they add up to.
+///
+/// ```text
+///   sum = v0 u0 + v1 u1 + v2 u2          with units 2048, 32 and 1: the bits of a colour of 5, 6 and 5
+/// ```
+///
+/// A step adds the whole units of all at once, and a remainder that runs over its own unit: exact, and four
+/// instructions a value. Where every value is in range the sum is the colour; between, it is right modulo 2^32.
+#[derive(Debug, Clone)]
+pub(crate) struct Joined<W, const N: usize> {
+    sum: u32,
+    step: u32,
+    area: W,
+    remainders: [W; N],
+    missing: [W; N],
+    units: [u32; N],
+}
+
+impl<W: Word, const N: usize> Joined<W, N> {
+    #[inline(always)]
+    pub(crate) fn next(&mut self) -> u32 {
+        let sum = self.sum;
+        let mut next = sum.wrapping_add(self.step);
+        for ((remainder, missing), unit) in self.remainders.iter_mut().zip(&self.missing).zip(&self.units) {
+            let (left, borrows) = remainder.overflowing_sub(*missing);
+            (*remainder, next) =
+                if borrows { (left.wrapping_add(self.area), next) } else { (left, next.wrapping_add(*unit)) };
+        }
+        self.sum = next;
+        sum
+    }
+}
+
+impl<W: Word, const N: usize> Planes<W, N> {
+    /// The values from the current centre to the right, joined by units.
+    #[inline(always)]
+    pub(crate) fn joined(&self, units: [u32; N]) -> Joined<W, N> {
+        let (mut sum, mut step) = (0_u32, 0_u32);
+        for ((at, right), unit) in self.current.iter().zip(&self.right).zip(units) {
+            sum = sum.wrapping_add(at.value.cast_unsigned().wrapping_mul(unit));
+            step = step.wrapping_add(right.whole.cast_unsigned().wrapping_mul(unit));
+        }
+        Joined {
+            sum,
+            step,
+            area: self.area,
+            remainders: self.current.map(|at| at.remainder),
+            missing: self.right.map(|step| step.missing),
+            units,
+        }
+    }
+}
+
 /// Values at a centre, without the steps.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Standing<W, const N: usize>([At<W>; N]);

@@ -52,7 +52,7 @@ pub trait Attributes<const N: usize>: Sized {
 
     /// The triangle with a colour that `shade` makes of each pixel's values.
     #[inline]
-    fn shaded<C: PixelColor, F: Fn([i32; N]) -> C>(self, shade: F) -> Shaded<Self, F> {
+    fn shaded<C: PixelColor, F: Fn([i32; N]) -> C + Copy>(self, shade: F) -> Shaded<Self, F> {
         Shaded { attributes: self, shade }
     }
 }
@@ -89,10 +89,10 @@ impl<A, F> Shaded<A, F> {
     where
         D: PixelRows,
         A: Attributes<N>,
-        F: Fn([i32; N]) -> D::Color,
+        F: Fn([i32; N]) -> D::Color + Copy,
     {
         let clip = PixelRect::from(target.bounding_box());
-        let Ok(()) = self.attributes.interpolate(&clip, &mut IntoRows { target, shade: &self.shade });
+        let Ok(()) = self.attributes.interpolate(&clip, &mut IntoRows { target, shade: self.shade });
     }
 
     /// With a depth at each vertex, 0 in front: to be tested against a buffer.
@@ -110,10 +110,10 @@ impl<A, F> Shaded<A, F> {
     where
         D: DrawTarget,
         A: Attributes<N>,
-        F: Fn([i32; N]) -> D::Color,
+        F: Fn([i32; N]) -> D::Color + Copy,
     {
         let clip = PixelRect::from(target.bounding_box());
-        self.attributes.interpolate(&clip, &mut ToTarget { target, shade: &self.shade })
+        self.attributes.interpolate(&clip, &mut ToTarget { target, shade: self.shade })
     }
 }
 
@@ -124,10 +124,10 @@ pub(crate) fn row_area(span: &Span) -> Rectangle {
 
 struct ToTarget<'t, D, F> {
     target: &'t mut D,
-    shade: &'t F,
+    shade: F,
 }
 
-impl<D: DrawTarget, F: Fn([i32; N]) -> D::Color, const N: usize> AttributeSink<N> for ToTarget<'_, D, F> {
+impl<D: DrawTarget, F: Fn([i32; N]) -> D::Color + Copy, const N: usize> AttributeSink<N> for ToTarget<'_, D, F> {
     type Error = D::Error;
 
     #[inline]
@@ -149,10 +149,10 @@ pub(crate) fn row_of<'t, D: PixelRows>(target: &'t mut D, span: &Span) -> &'t mu
 
 struct IntoRows<'t, D, F> {
     target: &'t mut D,
-    shade: &'t F,
+    shade: F,
 }
 
-impl<D: PixelRows, F: Fn([i32; N]) -> D::Color, const N: usize> AttributeSink<N> for IntoRows<'_, D, F> {
+impl<D: PixelRows, F: Fn([i32; N]) -> D::Color + Copy, const N: usize> AttributeSink<N> for IntoRows<'_, D, F> {
     type Error = core::convert::Infallible;
 
     #[inline]
@@ -162,7 +162,8 @@ impl<D: PixelRows, F: Fn([i32; N]) -> D::Color, const N: usize> AttributeSink<N>
         values: impl Values<N>,
         _: impl Iterator<Item = u16>,
     ) -> Result<(), core::convert::Infallible> {
-        values.write(row_of(self.target, &span), |pixel, values| *pixel = (self.shade)(values));
+        let shade = self.shade;
+        values.write(row_of(self.target, &span), move |pixel, values| *pixel = shade(values));
         Ok(())
     }
 }
@@ -185,10 +186,10 @@ impl<A, F> DepthTested<A, F> {
     where
         D: DrawTarget,
         A: Attributes<N>,
-        F: Fn([i32; N]) -> D::Color,
+        F: Fn([i32; N]) -> D::Color + Copy,
     {
         let clip = buffer.cut(target.bounding_box());
-        let mut sink = TestedToTarget { target, buffer, shade: &self.shaded.shade, test: self.test };
+        let mut sink = TestedToTarget { target, buffer, shade: self.shaded.shade, test: self.test };
         self.shaded.attributes.interpolate_with_depth(self.depths, &clip, &mut sink)
     }
 
@@ -197,11 +198,11 @@ impl<A, F> DepthTested<A, F> {
     where
         D: PixelRows,
         A: Attributes<N>,
-        F: Fn([i32; N]) -> D::Color,
+        F: Fn([i32; N]) -> D::Color + Copy,
     {
         let clip = buffer.cut(target.bounding_box());
         let Self { shaded: Shaded { attributes, shade }, depths, test } = self;
-        let (target, depths) = (target, *depths);
+        let (depths, shade) = (*depths, *shade);
         let Ok(()) = match test {
             // The loop knows its test: less is by far the most usual one.
             DepthTest { less: true, equal: false, write: true } => {
@@ -219,11 +220,13 @@ impl<A, F> DepthTested<A, F> {
 struct TestedIntoRows<'t, 'b, D, F> {
     target: &'t mut D,
     buffer: &'t mut DepthBuffer<'b>,
-    shade: &'t F,
+    shade: F,
     test: DepthTest,
 }
 
-impl<D: PixelRows, F: Fn([i32; N]) -> D::Color, const N: usize> AttributeSink<N> for TestedIntoRows<'_, '_, D, F> {
+impl<D: PixelRows, F: Fn([i32; N]) -> D::Color + Copy, const N: usize> AttributeSink<N>
+    for TestedIntoRows<'_, '_, D, F>
+{
     type Error = core::convert::Infallible;
 
     #[inline]
@@ -235,7 +238,7 @@ impl<D: PixelRows, F: Fn([i32; N]) -> D::Color, const N: usize> AttributeSink<N>
     ) -> Result<(), core::convert::Infallible> {
         let Self { ref mut target, ref mut buffer, shade, test } = *self;
         let mut kept = buffer.row_mut(&span).iter_mut().zip(depths);
-        values.write(row_of(*target, &span), |pixel, values| {
+        values.write(row_of(*target, &span), move |pixel, values| {
             if let Some((kept, depth)) = kept.next()
                 && test.passes(depth, kept)
             {
@@ -249,11 +252,13 @@ impl<D: PixelRows, F: Fn([i32; N]) -> D::Color, const N: usize> AttributeSink<N>
 struct TestedToTarget<'t, 'b, D, F> {
     target: &'t mut D,
     buffer: &'t mut DepthBuffer<'b>,
-    shade: &'t F,
+    shade: F,
     test: DepthTest,
 }
 
-impl<D: DrawTarget, F: Fn([i32; N]) -> D::Color, const N: usize> AttributeSink<N> for TestedToTarget<'_, '_, D, F> {
+impl<D: DrawTarget, F: Fn([i32; N]) -> D::Color + Copy, const N: usize> AttributeSink<N>
+    for TestedToTarget<'_, '_, D, F>
+{
     type Error = D::Error;
 
     /// Passing pixels go to the target in runs of at most `PIECE`.
