@@ -123,7 +123,8 @@ pub struct Hatch<C> {
     clear: C,
 }
 
-impl<C> Hatch<C> {
+/// Patterns.
+impl Hatch<()> {
     /// Lines from the lower left to the upper right, every four pixels.
     pub const DIAGONAL: [u8; 8] = [0x11, 0x22, 0x44, 0x88, 0x11, 0x22, 0x44, 0x88];
     /// The same from the upper left to the lower right.
@@ -132,7 +133,9 @@ impl<C> Hatch<C> {
     pub const CROSS: [u8; 8] = [0x99, 0x66, 0x66, 0x99, 0x99, 0x66, 0x66, 0x99];
     /// Every second pixel.
     pub const HALF: [u8; 8] = [0xaa, 0x55, 0xaa, 0x55, 0xaa, 0x55, 0xaa, 0x55];
+}
 
+impl<C> Hatch<C> {
     /// Bits, and the colours of those that are set and those that are not.
     #[inline]
     pub const fn new(rows: [u8; 8], set: C, clear: C) -> Self {
