@@ -9,7 +9,7 @@
 //! Shape -clip-> Edge -one step a row-> Span, or a block of equal rows -> colour -> DrawTarget::fill_solid
 //! Cover -clip-> edges and cells -a row of pixels-> Span, run of coverage -> Blend -> fill_solid, fill_contiguous
 //!
-//! limits · subpixel · geometry, fragment · turn · edge · span, error · coverage · shape, target · blend · draw · attribute · paint · eg · methods
+//! limits · subpixel · geometry, fragment · turn · edge · span, error · coverage · shape, target · blend · draw · attribute · paint, splat · eg · methods
 //! ```
 //!
 //! A module uses only what stands to its left. Shapes know no colours and no targets: they push [`Span`]s or blocks
@@ -113,6 +113,7 @@ pub mod methods;
 mod paint;
 mod shape;
 mod span;
+pub mod splat;
 mod subpixel;
 mod target;
 mod turn;

@@ -19,7 +19,7 @@
 //! Areas come from [`Areas`], in `2^-24` of a pixel, with a bound on their error. What is nearer to a whole pixel than
 //! the errors of its shapes together is whole: within a partition the sum is exactly 255, whatever the areas were
 //! rounded to. [`Rounded`] takes any [`Cover`], whose 8 bits are off by 1/510 each, and leave out what is less: along the rim of the
-//! union, coverage is that of the union within a 255th for each shape that has a part in the pixel. An engine that tells its sums
+//! union, coverage is that of the union within 3/510 for each shape that has a part in the pixel. An engine that tells its sums
 //! before they are rounded implements [`Areas`] itself, with an error of a few `2^-24`, and the rim is exact.
 
 use core::{convert::Infallible, fmt, ops::Range};
@@ -69,8 +69,9 @@ pub trait Areas {
 pub struct Rounded<S>(pub S);
 
 impl<S: Cover> Areas for Rounded<S> {
-    /// Half a 255th by rounding, and as much for a neighbour whose area was rounded to nothing, which nobody tells of.
-    const ERROR: u32 = WHOLE / 255 + 1;
+    /// Half a 255th by rounding, and as much for each of two neighbours whose area was rounded to nothing, which nobody
+    /// tells of.
+    const ERROR: u32 = 3 * WHOLE / 510 + 1;
 
     #[inline]
     fn touched(&self) -> PixelRect {
