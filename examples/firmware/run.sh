@@ -20,6 +20,7 @@ Commands:
   attributes [--csv OUT]
                      Runs `attributes` on an emulated Cortex-M4: a table of instructions a pixel of triangles whose
                      colour, texture or depth varies. The CSV rows follow the table, or go to OUT.
+  cube3d             Runs `cube3d_cycles` on an emulated Cortex-M4: instructions a frame of examples/cube3d.
 
 Environment:
   SPANFILL_TOOLCHAIN   `rustup`: the toolchain in use, with rustup's targets, which are added where they are missing.
@@ -113,6 +114,7 @@ build_everything() {
     build_oled >/dev/null
     build_cycles >/dev/null
     build_firmware attributes thumbv7em-none-eabi >/dev/null
+    build_firmware cube3d_cycles thumbv7em-none-eabi >/dev/null
     echo "run.sh: linking no_panic, which fails if the library has a panic path" >&2
     # Every shape with every blending is more than the board has room for, and need not run.
     build_firmware no_panic thumbv7m-none-eabi --features embedded-graphics \
@@ -233,6 +235,16 @@ run_attributes() {
     fi
 }
 
+run_cube3d() {
+    need qemu-system-arm qemu-system-arm
+    local elf
+    elf=$(build_firmware cube3d_cycles thumbv7em-none-eabi)
+    timeout 300 qemu-system-arm -machine mps2-an386 -icount shift=0 -nographic \
+        -semihosting-config enable=on,target=native -kernel "$elf" </dev/null >"$scratch/said" ||
+        fail "the firmware failed: $(cat "$scratch/said")"
+    cat "$scratch/said"
+}
+
 # put_table_into FILE: replaces what stands between its two markers.
 put_table_into() {
     grep -q '<!-- cycles:begin -->' "$1" && grep -q '<!-- cycles:end -->' "$1" ||
@@ -254,7 +266,7 @@ case $command in
     usage
     exit
     ;;
-build | oled | cycles | attributes) ;;
+build | oled | cycles | attributes | cube3d) ;;
 *) fail "there is no '$command'; see --help" ;;
 esac
 
@@ -284,4 +296,5 @@ build) build_everything ;;
 oled) run_oled "$(in_caller_dir "${1:-oled.png}")" ;;
 cycles) run_cycles "$@" ;;
 attributes) run_attributes "$@" ;;
+cube3d) run_cube3d ;;
 esac
