@@ -138,9 +138,9 @@ pub use fixed::types::I24F8;
 pub use fragment::{Fragment, FragmentSink};
 pub use geometry::{PixelRect, Vertex};
 pub use paint::{
-    AreaSink, Areas, BadStops, Cells as MosaicCells, ConicalGradient, EmptyPattern, GouraudPaint, Hatch, LinearGradient,
-    Mosaic, MosaicCell, MosaicError, MosaicScratchTooSmall, Paint, Painted, PaintedAntiAliased, Painting, Pattern,
-    RadialGradient, Rounded, Solid, Spread, Stop, Stops, Tile, Tiles,
+    AreaSink, Areas, BadStops, Cells as MosaicCells, ConicalGradient, EmptyPattern, GouraudPaint, Hatch,
+    LinearGradient, Mosaic, MosaicCell, MosaicError, MosaicScratchTooSmall, Paint, Painted, PaintedAntiAliased,
+    Painting, Pattern, RadialGradient, Rounded, Solid, Spread, Stop, Stops, Tile, Tiles,
 };
 pub use shape::{
     ActiveEdge, ActiveEdges, Circle, Cover, CoverageEdge, FillRule, Line, Polygon, PolygonCoverageIn,

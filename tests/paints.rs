@@ -11,9 +11,9 @@ use embedded_graphics::{
 };
 use oracle::{cases, for_each_case};
 use spanfill::{
-    BadStops, Circle, ConicalGradient, CoverageSink, Cover as _, Fill as _, Gouraud, Hatch, InPlace, LinearGradient,
-    Mosaic, MosaicCell, MosaicError, Over, Paint, Painting as _, Pattern, PixelRect, PixelRows, RadialGradient,
-    Solid, Span, Spread, Stop, Stops, Tile, Triangle, Vertex,
+    BadStops, Circle, ConicalGradient, Cover as _, CoverageSink, Fill as _, Gouraud, Hatch, InPlace, LinearGradient,
+    Mosaic, MosaicCell, MosaicError, Over, Paint, Painting as _, Pattern, PixelRect, PixelRows, RadialGradient, Solid,
+    Span, Spread, Stop, Stops, Tile, Triangle, Vertex,
 };
 
 const SIDE: usize = 48;
@@ -138,7 +138,11 @@ fn gradients_are_exact_to_a_level() {
         }
         let angle = rng.int(0..=65535);
         let conical = |x: f64, y: f64| {
-            if x == x0 && y == y0 { 0.0 } else { ((y - y0).atan2(x - x0) / std::f64::consts::TAU - angle as f64 / 65536.0).rem_euclid(1.0) }
+            if x == x0 && y == y0 {
+                0.0
+            } else {
+                ((y - y0).atan2(x - x0) / std::f64::consts::TAU - angle as f64 / 65536.0).rem_euclid(1.0)
+            }
         };
         check(&ConicalGradient::new(start, angle as u16, stops), &plain, spread, conical)?;
         Ok(1)
@@ -233,7 +237,16 @@ fn patterns_belong_to_the_screen() {
             let texel = 1 + (x + 100) % 3 + 3 * (y - 7_i32).rem_euclid(2);
             assert_eq!(i32::from(tiled.at(x, y).luma()), if inside { texel } else { 0 });
             let set = Hatch::CROSS[y as usize % 8] >> (7 - x % 8) & 1 == 1;
-            assert_eq!(hatched.at(x, y).luma(), if !inside { 0 } else if set { 255 } else { 1 });
+            assert_eq!(
+                hatched.at(x, y).luma(),
+                if !inside {
+                    0
+                } else if set {
+                    255
+                } else {
+                    1
+                }
+            );
         }
     }
 }

@@ -11,7 +11,10 @@ use embedded_graphics::{
     prelude::*,
     primitives::Rectangle,
 };
-use image::{Delay, Frame as Picture, RgbaImage, codecs::gif::{GifEncoder, Repeat}};
+use image::{
+    Delay, Frame as Picture, RgbaImage,
+    codecs::gif::{GifEncoder, Repeat},
+};
 use spanfill::{DepthBuffer, PixelRows};
 
 #[derive(Parser)]
@@ -66,7 +69,8 @@ impl DrawTarget for Frame {
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let Cli { out, width, height, every } = Cli::parse();
     let area = Rectangle::new(Point::zero(), Size::new(width as u32, height as u32));
-    let (mut frame, mut memory) = (Frame { width, pixels: vec![Rgb565::BLACK; width * height] }, vec![0; width * height]);
+    let (mut frame, mut memory) =
+        (Frame { width, pixels: vec![Rgb565::BLACK; width * height] }, vec![0; width * height]);
     let mut gif = GifEncoder::new_with_speed(File::create(&out)?, 10);
     gif.set_repeat(Repeat::Infinite)?;
     let (mut drawing, mut triangles) = (0.0, 0);

@@ -258,12 +258,12 @@ fn draw_ring<D: PixelRows<Color = Rgb565>>(
         for across in 0..ACROSS {
             let at = |right: u32, down: u32| ring_point(around + right, across + down, frame, away);
             let (a, b, c, d) = (at(0, 0), at(1, 0), at(1, 1), at(0, 1));
-            for triangle in [[a, c, b], [a, d, c]] {
+            for triangle in [[a, b, c], [a, c, d]] {
                 camera.project(&triangle, |seen| {
                     let colours = seen.varying.map(|[light, _]| colour(light));
-                    let shaded = Gouraud::new(seen.triangle, colours).affine().shaded(|[r, g, b]: [i32; 3]| {
-                        Rgb565::new(r as u8, g as u8, b as u8)
-                    });
+                    let shaded = Gouraud::new(seen.triangle, colours)
+                        .affine()
+                        .shaded(|[r, g, b]: [i32; 3]| Rgb565::new(r as u8, g as u8, b as u8));
                     shaded.depth_tested(seen.depths, DepthTest::LESS).draw_on(target, depths);
                     drawn += 1;
                 });

@@ -145,7 +145,10 @@ pub(crate) fn build(points: &mut [Point]) -> Vec<u8> {
             let (inner, normal, cone, colour) = summary(points);
             let code = range.sphere.encode(&inner).unwrap_or_else(|| {
                 // Rounding down may leave a parent a unit too small: the largest sphere is the parent's own.
-                range.sphere.encode(&Sphere { centre: range.sphere.centre, radius: range.sphere.radius / 13 * 13 - 13 }).unwrap_or(7620)
+                range
+                    .sphere
+                    .encode(&Sphere { centre: range.sphere.centre, radius: range.sphere.radius / 13 * 13 - 13 })
+                    .unwrap_or(7620)
             });
             bytes.extend(node(points, code, normal, cone, colour).to_bytes());
             nodes += 1;

@@ -113,7 +113,8 @@ fn cloud(count: usize) -> Vec<CloudPoint> {
             };
             let direction = unit(cross(near(u), near(v)));
             let level = ((here - 0.68) / 0.24).clamp(0.0, 1.0);
-            let colour = Rgb565::new((8.0 + 23.0 * level) as u8, (40.0 - 12.0 * level) as u8, (28.0 - 20.0 * level) as u8);
+            let colour =
+                Rgb565::new((8.0 + 23.0 * level) as u8, (40.0 - 12.0 * level) as u8, (28.0 - 20.0 * level) as u8);
             CloudPoint {
                 at: at.map(|part| (part * here * UNIT) as i32),
                 radius: (spacing * here * UNIT * 0.75) as i32 + 1,

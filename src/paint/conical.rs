@@ -1,6 +1,11 @@
 //! Gradients that turn around a point.
 
-use crate::{Vertex, attribute::Channels, paint::{Paint, Stops}, subpixel::centre};
+use crate::{
+    Vertex,
+    attribute::Channels,
+    paint::{Paint, Stops},
+    subpixel::centre,
+};
 
 /// A gradient that turns clockwise around a point: the place of a pixel centre is its angle, from the start on, over a
 /// whole turn.

@@ -16,8 +16,8 @@ mod pattern;
 mod radial;
 mod stops;
 
-pub use gouraud::GouraudPaint;
 pub use conical::ConicalGradient;
+pub use gouraud::GouraudPaint;
 pub use linear::LinearGradient;
 pub use mosaic::{
     AreaSink, Areas, Cells, Mosaic, MosaicCell, MosaicError, MosaicScratchTooSmall, Rounded, Tile, Tiles,

@@ -3,10 +3,7 @@
 use crate::{
     Vertex,
     attribute::Channels,
-    paint::{
-        Paint, Stops,
-        stops::WHOLE,
-    },
+    paint::{Paint, Stops, stops::WHOLE},
     subpixel::centre,
 };
 use fixed::{traits::ToFixed, types::I24F8};

@@ -154,8 +154,16 @@ impl Model<'_> {
                     }
                     below = below.saturating_add(child.group_bytes());
                 }
-                let next = Waiting { sphere, node: child, group, level: level + 1, inside, facing };
-                stack.push(next).map_err(|_| BrokenModel::TooDeep)?;
+                let mut next = Waiting { sphere, node: child, group, level: level + 1, inside, facing };
+                if child.children > 0 {
+                    stack.push(next).map_err(|_| BrokenModel::TooDeep)?;
+                    continue;
+                }
+                // Nothing is below a leaf: it need not wait.
+                left = left.checked_sub(1).ok_or(BrokenModel::TooManyNodes)?;
+                if matches!(look(&mut next), Next::End) {
+                    return Ok(());
+                }
             }
         }
         Ok(())
@@ -195,6 +203,8 @@ struct Screen<'v> {
     /// In 1/256 px, from the middle.
     columns: (i64, i64),
     rows: (i64, i64),
+    /// `near / focal`, in `2^-16`.
+    nearness: i64,
 }
 
 /// A node as it is seen.
@@ -215,7 +225,8 @@ impl<'v> Screen<'v> {
         let side = |range: &core::ops::Range<i32>, middle: i64| {
             (i64::from(range.start) * 256 - middle, i64::from(range.end) * 256 - middle)
         };
-        Self { view, columns: side(&screen.columns, x), rows: side(&screen.rows, y) }
+        let nearness = (i64::from(view.near) << 16) / i64::from(view.focal.max(1));
+        Self { view, columns: side(&screen.columns, x), rows: side(&screen.rows, y), nearness }
     }
 
     /// None for what is not seen at all. Its `z` is 0 where it lies on both sides of the near plane.
@@ -245,7 +256,13 @@ impl<'v> Screen<'v> {
             return None;
         }
         if z - radius < near {
-            return Some(Seen { x, y, z: if z < near { 0 } else { z }, scale: self.scale(z.max(near)), size: u32::MAX });
+            return Some(Seen {
+                x,
+                y,
+                z: if z < near { 0 } else { z },
+                scale: self.scale(z.max(near)),
+                size: u32::MAX,
+            });
         }
         let scale = self.scale(z);
         let on_screen = |length: i64| (length * scale) >> SCALE_BITS;
@@ -255,7 +272,8 @@ impl<'v> Screen<'v> {
             let reach = i64::from(size) + 256;
             let (right, down) = (on_screen(x), on_screen(y));
             let (columns, rows) = (self.columns, self.rows);
-            if right + reach < columns.0 || right - reach > columns.1 || down + reach < rows.0 || down - reach > rows.1 {
+            if right + reach < columns.0 || right - reach > columns.1 || down + reach < rows.0 || down - reach > rows.1
+            {
                 return None;
             }
             *inside = right - reach > columns.0
@@ -291,7 +309,8 @@ impl Seen {
             let at = ((length * self.scale) >> SCALE_BITS) + i64::from(middle);
             i32::try_from(at).unwrap_or(if at > 0 { i32::MAX } else { i32::MIN })
         };
-        let depth = 65535 - (i64::from(view.near) * self.scale / i64::from(view.focal.max(1)) >> (SCALE_BITS - 16)).min(65535);
+        // 65536 at most, as `z` is at least `near`.
+        let depth = 65535 - ((screen.nearness * self.scale) >> SCALE_BITS).min(65535);
         Some(Splat {
             x: on_screen(self.x, view.middle[0]),
             y: on_screen(self.y, view.middle[1]),

@@ -86,7 +86,9 @@ impl Sphere {
         let mut code = 0;
         while code < SPHERE_CODES {
             let k = TABLE.get(usize::from(code)).copied()? >> 12;
-            let next = code + TABLE.get(usize::from(code)..usize::from(SPHERE_CODES))?.partition_point(|entry| entry >> 12 <= k) as u16;
+            let next = code
+                + TABLE.get(usize::from(code)..usize::from(SPHERE_CODES))?.partition_point(|entry| entry >> 12 <= k)
+                    as u16;
             if i64::from(k) * i64::from(self.radius) >= 13 * i64::from(inner.radius) {
                 let k = i32::from(k);
                 let mut entry = k << 12;

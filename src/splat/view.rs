@@ -43,13 +43,7 @@ impl View {
     /// # Errors
     ///
     /// [`NoView`] where that makes no view.
-    pub fn new(
-        eye: [i32; 3],
-        axes: [[i32; 3]; 3],
-        middle: [i32; 2],
-        focal: i32,
-        near: i32,
-    ) -> Result<Self, NoView> {
+    pub fn new(eye: [i32; 3], axes: [[i32; 3]; 3], middle: [i32; 2], focal: i32, near: i32) -> Result<Self, NoView> {
         let long = axes.iter().flatten().any(|part| part.unsigned_abs() > 16384);
         let far = eye.iter().any(|part| part.unsigned_abs() > 1 << 27);
         if long || far || !(1..=1 << 20).contains(&focal) || near < 1 {
