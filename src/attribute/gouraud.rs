@@ -29,9 +29,10 @@ use crate::{
     PixelRect, Triangle,
     attribute::{
         Affine, Attributes as _, Channels,
+        joined::{Joined, Units},
         plane::{Planes, Word},
         shaded::{row_area, row_of},
-        walk::{Oriented, walk},
+        walk::{Follow as _, Oriented, walk},
     },
     draw::Fill as _,
     shape::Shape as _,
@@ -148,9 +149,9 @@ impl<C: PixelColor> Gouraud<C> {
         C: Channels<N>,
     {
         let values = oriented.ordered(&self.colours).map(C::channels);
-        let make = |start| Planes::new(&oriented.vertices, &values, area, start);
-        walk(&self.triangle, clip, make, |span, planes: &Planes<W, N>| {
-            fill_joined(row_of(target, &span), planes);
+        let make = |start| Joined::new(Planes::new(&oriented.vertices, &values, area, start));
+        walk(&self.triangle, clip, make, |span, joined: &Joined<W, BitsOf<C>, N, 1>| {
+            fill_joined(row_of(target, &span), joined);
             Ok(())
         })
     }
@@ -165,13 +166,30 @@ impl<C: PixelColor> Gouraud<C> {
     }
 }
 
+/// Channels joined to the bits of a colour.
+#[derive(Debug)]
+struct BitsOf<C>(core::marker::PhantomData<C>);
+
+impl<C: Channels<N>, const N: usize> Units<N, 1> for BitsOf<C> {
+    const UNITS: [[u32; 1]; N] = {
+        let mut units = [[0]; N];
+        let mut index = 0;
+        while index < N {
+            #[allow(clippy::indexing_slicing, reason = "run by the compiler, which would fail")]
+            let unit = C::UNITS[index];
+            #[allow(clippy::indexing_slicing, reason = "run by the compiler, which would fail")]
+            let place = &mut units[index];
+            *place = [unit];
+            index += 1;
+        }
+        units
+    };
+}
+
 /// Out of line: within a walk, its registers would be taken.
 #[inline(never)]
-fn fill_joined<W: Word, C: Channels<N>, const N: usize>(row: &mut [C], planes: &Planes<W, N>) {
-    let mut joined = planes.joined(C::UNITS);
-    for pixel in row {
-        *pixel = C::from_bits(joined.next());
-    }
+fn fill_joined<W: Word, C: Channels<N>, const N: usize>(row: &mut [C], joined: &Joined<W, BitsOf<C>, N, 1>) {
+    joined.write(row, |pixel, [bits]| *pixel = C::from_bits(bits));
 }
 
 macro_rules! impl_drawable {
@@ -199,7 +217,7 @@ mod drawable {
 }
 
 /// Pixels that a piece may have, see the module.
-const PIECE_PX: usize = 127;
+const PIECE_PX: u32 = 127;
 const _: () = assert!((PIECE_PX + 1) * 32 <= 1 << 12);
 
 /// Fraction bits of a channel that has half a word.
@@ -285,25 +303,33 @@ struct Words<C> {
     colour: core::marker::PhantomData<C>,
 }
 
+/// Channels joined to the two words: the outer ones to one, the middle one to the other.
+#[derive(Debug, Clone, Copy)]
+struct PackedUnits;
+
+/// Differences of values must fit 31 bits: two bits fewer than there is room for.
+const SPARE: u32 = 2;
+
+impl Units<3, 2> for PackedUnits {
+    const UNITS: [[u32; 2]; 3] = [[1 << 16, 0], [0, 1 << SPARE], [1, 0]];
+}
+
 impl<C: Packed> Words<C> {
-    /// From the channels and steps in fixed point.
+    /// Fraction bits of the middle channel's values.
+    const MIDDLE_FRACTION: u32 = 32 - SPARE - C::GREEN_BITS;
+
+    /// From the words of joined channels, and those of their steps.
     #[inline(always)]
-    fn new([high, middle, low]: [i32; 3], [high_step, middle_step, low_step]: [i32; 3]) -> Self {
-        let join = |high: i32, low: i32| (high << 16).wrapping_add(low).cast_unsigned();
-        const HALF: i32 = 1 << (HALF_WORD_FRACTION - 1);
-        let half_of_middle = 1 << (Self::MIDDLE_FRACTION - 1);
+    fn new([outer, middle]: [u32; 2], [outer_step, middle_step]: [u32; 2]) -> Self {
+        const HALVES: u32 = (1 << (16 + HALF_WORD_FRACTION - 1)) | (1 << (HALF_WORD_FRACTION - 1));
         Self {
-            outer: join(high.wrapping_add(HALF), low.wrapping_add(HALF)),
-            middle: (middle.cast_unsigned() << Self::SPARE).wrapping_add(half_of_middle << Self::SPARE),
-            outer_step: join(high_step, low_step),
-            middle_step: middle_step.cast_unsigned() << Self::SPARE,
+            outer: outer.wrapping_add(HALVES),
+            middle: middle.wrapping_add(1 << (Self::MIDDLE_FRACTION + SPARE - 1)),
+            outer_step,
+            middle_step,
             colour: core::marker::PhantomData,
         }
     }
-
-    /// Differences of values must fit 31 bits: two bits fewer than there is room for.
-    const MIDDLE_FRACTION: u32 = 30 - C::GREEN_BITS;
-    const SPARE: u32 = 2;
 
     /// Out of line: within a walk, its registers would be taken.
     #[inline(never)]
@@ -352,38 +378,24 @@ impl<C: Packed> Gouraud<C, PACKED> {
         clip: &PixelRect,
         mut emit: impl FnMut(Rectangle, Words<C>) -> Result<(), E>,
     ) -> Result<(), E> {
-        let make = |start| Planes::new(&oriented.vertices, values, area, start);
-        walk(&self.triangle, clip, make, |span, planes: &Planes<W, 3>| {
-            let (start, step) = planes.rounded();
+        let make = |start| Joined::new(Planes::new(&oriented.vertices, values, area, start));
+        let mut step = None;
+        walk(&self.triangle, clip, make, |span, joined: &Joined<W, PackedUnits, 3, 2>| {
+            let step = *step.get_or_insert_with(|| joined.rounded_step());
+            const PIECE: u32 = PIECE_PX;
             let mut area = row_area(&span);
-            emit_pieces(&mut area, planes, Words::new(start, step), &mut emit)
+            if area.size.width <= PIECE {
+                return emit(area, Words::new(joined.words, step));
+            }
+            let (mut joined, mut rest) = (joined.clone(), area.size.width);
+            while rest > 0 {
+                joined.go_to(area.top_left.y, area.top_left.x);
+                area.size.width = rest.min(PIECE);
+                emit(area, Words::new(joined.words, step))?;
+                area.top_left.x = area.top_left.x.wrapping_add_unsigned(PIECE);
+                rest = rest.saturating_sub(PIECE);
+            }
+            Ok(())
         })
     }
-}
-
-#[inline(always)]
-fn emit_pieces<W: Word, C: Packed, E>(
-    area: &mut Rectangle,
-    planes: &Planes<W, 3>,
-    first: Words<C>,
-    emit: &mut impl FnMut(Rectangle, Words<C>) -> Result<(), E>,
-) -> Result<(), E> {
-    const PIECE: u32 = PIECE_PX as u32;
-    let width = area.size.width;
-    area.size.width = width.min(PIECE);
-    emit(*area, first)?;
-    let mut rest = width.saturating_sub(PIECE);
-    if rest == 0 {
-        return Ok(());
-    }
-    let mut planes = planes.clone();
-    while rest > 0 {
-        area.top_left.x = area.top_left.x.wrapping_add_unsigned(PIECE);
-        area.size.width = rest.min(PIECE);
-        planes.go_to(area.top_left.y, area.top_left.x);
-        let (start, step) = planes.rounded();
-        emit(*area, Words::new(start, step))?;
-        rest = rest.saturating_sub(PIECE);
-    }
-    Ok(())
 }

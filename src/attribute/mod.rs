@@ -13,6 +13,7 @@ mod barycentric;
 mod channels;
 mod depth;
 mod gouraud;
+mod joined;
 mod perspective;
 mod plane;
 mod shaded;

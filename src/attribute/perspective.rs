@@ -311,8 +311,7 @@ impl<W: Word, const N: usize> Values<N> for Pieces<'_, W, N> {
     }
 }
 
-/// Out of line: within a walk, its registers would be taken.
-#[inline(never)]
+#[inline(always)]
 fn write_piece<T, const N: usize>(mut piece: Piece<N>, into: &mut [T], write: &mut impl FnMut(&mut T, [i32; N])) {
     for item in into {
         write(item, piece.next());

@@ -227,11 +227,11 @@ fn sides(vertices: &[Vertex; 3]) -> [(i64, i64); 2] {
 
 /// How a value changes in one direction.
 #[derive(Debug, Clone, Copy)]
-struct Step<W> {
+pub(crate) struct Step<W> {
     /// Whole units, modulo 2^32.
-    whole: i32,
+    pub(super) whole: i32,
     /// The area less the rest, in `1..=area`: what must be left of the remainder for it to go into one more unit.
-    missing: W,
+    pub(super) missing: W,
 }
 
 impl<W: Word> Step<W> {
@@ -243,6 +243,14 @@ impl<W: Word> Step<W> {
 }
 
 impl<W: Word> Step<W> {
+    /// To the nearest whole unit, modulo 2^32: what binary fixed point keeps of it.
+    #[inline(always)]
+    pub(super) fn rounded(&self, area: W) -> i32 {
+        // The rest is more than half where less than half is missing.
+        let (_, more_is_missing) = area.wrapping_sub(self.missing).overflowing_sub(self.missing);
+        self.whole.wrapping_add(i32::from(!more_is_missing))
+    }
+
     /// A step of twice as many pixels.
     #[inline]
     fn doubled(self, area: W) -> Self {
@@ -254,9 +262,9 @@ impl<W: Word> Step<W> {
 
 /// An attribute at the current centre.
 #[derive(Debug, Clone, Copy)]
-struct At<W> {
-    value: i32,
-    remainder: W,
+pub(crate) struct At<W> {
+    pub(super) value: i32,
+    pub(super) remainder: W,
 }
 
 impl<W: Word> At<W> {
@@ -268,14 +276,6 @@ impl<W: Word> At<W> {
         self.remainder = if borrows { remainder.wrapping_add(area) } else { remainder };
     }
 
-    /// A step to the nearest whole unit, modulo 2^32: what binary fixed point keeps of it.
-    #[inline(always)]
-    pub(crate) fn rounded_step(step: &Step<W>, area: W) -> i32 {
-        // The rest is more than half where less than half is missing.
-        let (_, more_is_missing) = area.wrapping_sub(step.missing).overflowing_sub(step.missing);
-        step.whole.wrapping_add(i32::from(!more_is_missing))
-    }
-
     #[inline(always)]
     fn step_back(&mut self, step: &Step<W>, area: W) {
         let (remainder, borrows) = self.remainder.overflowing_sub(area.wrapping_sub(step.missing));
@@ -285,21 +285,21 @@ impl<W: Word> At<W> {
 }
 
 /// Wherever the next span starts further away than this, its values are divided afresh.
-const NEAR_COLUMNS: i32 = 8;
+pub(super) const NEAR_COLUMNS: i32 = 8;
 
 /// `N` attributes over a triangle, at the centre of a pixel.
 #[derive(Debug, Clone)]
 pub(crate) struct Planes<W: Word, const N: usize> {
-    area: W,
+    pub(super) area: W,
     /// The vertex that the values are measured from, in sub-pixels.
     origin: (i32, i32),
     bases: [i32; N],
     gradients: [(W::Product, W::Product); N],
-    right: [Step<W>; N],
-    down: [Step<W>; N],
-    current: [At<W>; N],
-    column: i32,
-    row: i32,
+    pub(super) right: [Step<W>; N],
+    pub(super) down: [Step<W>; N],
+    pub(super) current: [At<W>; N],
+    pub(super) column: i32,
+    pub(super) row: i32,
 }
 
 impl<W: Word, const N: usize> Planes<W, N> {
@@ -332,7 +332,7 @@ impl<W: Word, const N: usize> Planes<W, N> {
 
     /// The values at the current centre, by a division each.
     #[inline(never)]
-    fn evaluate(&mut self) {
+    pub(super) fn evaluate(&mut self) {
         let (x0, y0) = self.origin;
         let (x, y) = (distance(self.column, x0), distance(self.row, y0));
         for (at, ((gx, gy), base)) in self.current.iter_mut().zip(self.gradients.iter().zip(&self.bases)) {
@@ -389,12 +389,6 @@ impl<W: Word, const N: usize> Planes<W, N> {
         }
         Strides { area: self.area, steps }
     }
-
-    /// The values at the current centre and the steps to the right, to the nearest unit, modulo 2^32.
-    #[inline(always)]
-    pub(crate) fn rounded(&self) -> ([i32; N], [i32; N]) {
-        (self.current.map(|at| at.value), self.right.map(|step| At::rounded_step(&step, self.area)))
-    }
 }
 
 /// Steps to the right of 1, 2, 4, 8 and 16 pixels.
@@ -402,59 +396,6 @@ impl<W: Word, const N: usize> Planes<W, N> {
 pub(crate) struct Strides<W, const N: usize> {
     area: W,
     steps: [[Step<W>; N]; 5],
-}
-
-/// `N` values in one number, each times its unit: what they add up to.
-///
-/// ```text
-///   sum = v0 u0 + v1 u1 + v2 u2          with units 2048, 32 and 1: the bits of a colour of 5, 6 and 5
-/// ```
-///
-/// A step adds the whole units of all at once, and a remainder that runs over its own unit: exact, and four
-/// instructions a value. Where every value is in range the sum is the colour; between, it is right modulo 2^32.
-#[derive(Debug, Clone)]
-pub(crate) struct Joined<W, const N: usize> {
-    sum: u32,
-    step: u32,
-    area: W,
-    remainders: [W; N],
-    missing: [W; N],
-    units: [u32; N],
-}
-
-impl<W: Word, const N: usize> Joined<W, N> {
-    #[inline(always)]
-    pub(crate) fn next(&mut self) -> u32 {
-        let sum = self.sum;
-        let mut next = sum.wrapping_add(self.step);
-        for ((remainder, missing), unit) in self.remainders.iter_mut().zip(&self.missing).zip(&self.units) {
-            let (left, borrows) = remainder.overflowing_sub(*missing);
-            (*remainder, next) =
-                if borrows { (left.wrapping_add(self.area), next) } else { (left, next.wrapping_add(*unit)) };
-        }
-        self.sum = next;
-        sum
-    }
-}
-
-impl<W: Word, const N: usize> Planes<W, N> {
-    /// The values from the current centre to the right, joined by units.
-    #[inline(always)]
-    pub(crate) fn joined(&self, units: [u32; N]) -> Joined<W, N> {
-        let (mut sum, mut step) = (0_u32, 0_u32);
-        for ((at, right), unit) in self.current.iter().zip(&self.right).zip(units) {
-            sum = sum.wrapping_add(at.value.cast_unsigned().wrapping_mul(unit));
-            step = step.wrapping_add(right.whole.cast_unsigned().wrapping_mul(unit));
-        }
-        Joined {
-            sum,
-            step,
-            area: self.area,
-            remainders: self.current.map(|at| at.remainder),
-            missing: self.right.map(|step| step.missing),
-            units,
-        }
-    }
 }
 
 /// Values at a centre, without the steps.

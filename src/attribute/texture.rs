@@ -82,6 +82,8 @@ pub struct Texture<T> {
     filter: Filter,
     corner: Point,
     size: [i32; 2],
+    /// The sides less one, where it repeats and both are powers of two.
+    masks: Option<[i32; 2]>,
 }
 
 impl<T: GetPixel + Dimensions> Texture<T> {
@@ -97,7 +99,9 @@ impl<T: GetPixel + Dimensions> Texture<T> {
         if size.contains(&0) {
             return Err(EmptyTexture);
         }
-        Ok(Self { texels, wrap, filter, corner: area.top_left, size })
+        let masks =
+            (wrap == Wrap::Repeat && size.iter().all(|side| side & (side - 1) == 0)).then(|| size.map(|side| side - 1));
+        Ok(Self { texels, wrap, filter, corner: area.top_left, size, masks })
     }
 }
 
@@ -111,9 +115,10 @@ impl<T: GetPixel> Texture<T> {
     #[inline(always)]
     fn at(&self, [x, y]: [i32; 2]) -> Option<T::Color> {
         let [width, height] = self.size;
-        let (x, y) = match self.wrap {
-            Wrap::Clamp => (x.clamp(0, (width - 1).max(0)), y.clamp(0, (height - 1).max(0))),
-            Wrap::Repeat => (repeated(x, width), repeated(y, height)),
+        let (x, y) = match (self.masks, self.wrap) {
+            (Some([columns, rows]), _) => (x & columns, y & rows),
+            (None, Wrap::Clamp) => (x.clamp(0, (width - 1).max(0)), y.clamp(0, (height - 1).max(0))),
+            (None, Wrap::Repeat) => (repeated(x, width), repeated(y, height)),
         };
         self.texels.pixel(Point::new(self.corner.x.wrapping_add(x), self.corner.y.wrapping_add(y)))
     }
@@ -159,8 +164,7 @@ fn alpha(coordinate: i32) -> u8 {
     alpha
 }
 
-#[inline(always)]
+#[inline(never)]
 fn repeated(coordinate: i32, side: i32) -> i32 {
-    let side = side.max(1);
-    if side & (side - 1) == 0 { coordinate & (side - 1) } else { coordinate.rem_euclid(side) }
+    coordinate.rem_euclid(side.max(1))
 }

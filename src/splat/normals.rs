@@ -1,12 +1,13 @@
 //! Directions, in 14 bits.
 
 /// How many codes there are: 52 x 52 on each side of a cube.
-pub const NORMAL_CODES: u16 = 6 * (SIDE * SIDE) as u16;
+pub const NORMAL_CODES: u16 = 6 * 52 * 52;
 
 /// The sines of a cone's half-angle, in 16ths.
 pub const CONE_SINES: [i32; 4] = [1, 4, 9, 16];
 
 const SIDE: usize = 52;
+const _: () = assert!(NORMAL_CODES as usize == 6 * SIDE * SIDE);
 
 /// On the side of a cube that looks along z: x, y and z in 1/16384.
 static DIRECTIONS: [[i16; 3]; SIDE * SIDE] = directions();

@@ -86,9 +86,8 @@ impl Sphere {
         let mut code = 0;
         while code < SPHERE_CODES {
             let k = TABLE.get(usize::from(code)).copied()? >> 12;
-            let next = code
-                + TABLE.get(usize::from(code)..usize::from(SPHERE_CODES))?.partition_point(|entry| entry >> 12 <= k)
-                    as u16;
+            let rest = TABLE.get(usize::from(code)..usize::from(SPHERE_CODES))?;
+            let next = code + u16::try_from(rest.partition_point(|entry| entry >> 12 <= k)).ok()?;
             if i64::from(k) * i64::from(self.radius) >= 13 * i64::from(inner.radius) {
                 let k = i32::from(k);
                 let mut entry = k << 12;
