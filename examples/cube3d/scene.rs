@@ -202,7 +202,7 @@ fn draw_cube<D: PixelRows<Color = Rgb565>>(
     let Ok(texture) = Texture::new(Board, Wrap::Clamp, Filter::Nearest) else { return 0 };
     let angle = frame * TURN as u32 / FRAMES;
     // Near enough to be cut, once a round.
-    let away = 4 * UNIT + 3 * UNIT / 2 + ((9 * UNIT / 4) * cosine(angle) >> 14);
+    let away = 4 * UNIT + 3 * UNIT / 2 + (((9 * UNIT / 4) * cosine(angle)) >> 14);
     let mut drawn = 0;
     for side in SIDES {
         let texel = [[0, 0], [LAST, 0], [LAST, LAST], [0, LAST]];
@@ -232,8 +232,8 @@ fn ring_point(around: u32, across: u32, frame: u32, away: i32) -> Seen {
     let (outwards, along) = (cosine(across), sine(across));
     let direction = [(outwards * cosine(around)) >> 14, along, (outwards * sine(around)) >> 14];
     let (large, small) = (11 * UNIT / 4, UNIT / 2);
-    let length = large + (small * outwards >> 14);
-    let at = [length * cosine(around) >> 14, small * along >> 14, length * sine(around) >> 14];
+    let length = large + ((small * outwards) >> 14);
+    let at = [(length * cosine(around)) >> 14, (small * along) >> 14, (length * sine(around)) >> 14];
     let turn = frame * TURN as u32 / FRAMES;
     let tilt = 100 + (sine(turn) / 200) as u32;
     let [x, y, z] = turned(at, turn.wrapping_neg(), tilt);
@@ -248,7 +248,7 @@ fn draw_ring<D: PixelRows<Color = Rgb565>>(
     camera: Camera,
     frame: u32,
 ) -> u32 {
-    let away = 4 * UNIT + 3 * UNIT / 2 + ((9 * UNIT / 4) * cosine(frame * TURN as u32 / FRAMES) >> 14);
+    let away = 4 * UNIT + 3 * UNIT / 2 + (((9 * UNIT / 4) * cosine(frame * TURN as u32 / FRAMES)) >> 14);
     let colour = |light: i32| {
         let step = |last: i32| ((3 * 16384 + 13 * light) / 16 * last / 16384) as u8;
         Rgb565::new(step(30), step(44), step(31))

@@ -285,7 +285,7 @@ impl<W: Word> At<W> {
 }
 
 /// Wherever the next span starts further away than this, its values are divided afresh.
-pub(super) const NEAR_COLUMNS: i32 = 8;
+pub(super) const NEAR_COLUMNS: i32 = 24;
 
 /// `N` attributes over a triangle, at the centre of a pixel.
 #[derive(Debug, Clone)]
