@@ -11,9 +11,9 @@ use embedded_graphics::{
 };
 use oracle::{cases, for_each_case};
 use spanfill::{
-    BadStops, Circle, ConicalGradient, CoverageSink, Fill as _, Gouraud, Hatch, InPlace, LinearGradient,
-    Mosaic, MosaicCell, MosaicError, Over, Paint, Painting as _, Pattern, PixelRect, PixelRows, RadialGradient, Solid,
-    Span, Spread, Stop, Stops, Tile, Triangle, Vertex,
+    BadStops, Circle, ConicalGradient, CoverageSink, Fill as _, Gouraud, Hatch, InPlace, LinearGradient, Mosaic,
+    MosaicCell, MosaicError, Over, Paint, Painting as _, Pattern, PixelRect, PixelRows, RadialGradient, Solid, Span,
+    Spread, Stop, Stops, Tile, Triangle, Vertex,
 };
 
 const SIDE: usize = 48;

@@ -21,7 +21,7 @@ pub(crate) trait Units<const N: usize, const WORDS: usize> {
 #[derive(Debug, Clone, Copy)]
 struct JoinedStep<W, const N: usize, const WORDS: usize> {
     words: [u32; WORDS],
-    missing: [W; N],
+    rests: [W; N],
 }
 
 /// Planes whose values are joined by units.
@@ -29,7 +29,7 @@ struct JoinedStep<W, const N: usize, const WORDS: usize> {
 pub(crate) struct Joined<W: Word, U, const N: usize, const WORDS: usize> {
     planes: Planes<W, N>,
     pub(crate) words: [u32; WORDS],
-    remainders: [W; N],
+    lacking: [W; N],
     right: JoinedStep<W, N, WORDS>,
     down: JoinedStep<W, N, WORDS>,
     units: core::marker::PhantomData<U>,
@@ -51,16 +51,16 @@ impl<W: Word, U: Units<N, WORDS>, const N: usize, const WORDS: usize> Joined<W, 
     pub(crate) fn new(planes: Planes<W, N>) -> Self {
         let step = |steps: [Step<W>; N]| JoinedStep {
             words: join::<U, N, WORDS>(steps.map(|step| step.whole)),
-            missing: steps.map(|step| step.missing),
+            rests: steps.map(|step| step.rest),
         };
         let (right, down) = (step(planes.right), step(planes.down));
-        let (words, remainders) = Self::start(&planes);
-        Self { planes, words, remainders, right, down, units: core::marker::PhantomData }
+        let (words, lacking) = Self::start(&planes);
+        Self { planes, words, lacking, right, down, units: core::marker::PhantomData }
     }
 
     #[inline(always)]
     fn start(planes: &Planes<W, N>) -> ([u32; WORDS], [W; N]) {
-        (join::<U, N, WORDS>(planes.current.map(|at| at.value)), planes.current.map(|at| at.remainder))
+        (join::<U, N, WORDS>(planes.current.map(|at| at.value)), planes.current.map(|at| at.lacking))
     }
 
     /// The step to the right, each value's to the nearest, joined.
@@ -72,37 +72,38 @@ impl<W: Word, U: Units<N, WORDS>, const N: usize, const WORDS: usize> Joined<W, 
     /// The words from the current centre to the right.
     #[inline(always)]
     pub(crate) fn write<T>(&self, into: &mut [T], mut write: impl FnMut(&mut T, [u32; WORDS])) {
-        let (mut words, mut remainders, right, area) = (self.words, self.remainders, self.right, self.planes.area);
+        let (mut words, mut lacking, right, area) = (self.words, self.lacking, self.right, self.planes.area);
         for item in into {
             write(item, words);
-            Self::step(&mut words, &mut remainders, &right, area);
+            Self::step(&mut words, &mut lacking, &right, area);
         }
     }
 
     #[inline(always)]
-    fn step(words: &mut [u32; WORDS], remainders: &mut [W; N], step: &JoinedStep<W, N, WORDS>, area: W) {
+    fn step(words: &mut [u32; WORDS], lacking: &mut [W; N], step: &JoinedStep<W, N, WORDS>, area: W) {
         for (word, whole) in words.iter_mut().zip(step.words) {
             *word = word.wrapping_add(whole);
         }
-        for ((remainder, missing), units) in remainders.iter_mut().zip(step.missing).zip(U::UNITS) {
-            let (left, borrows) = remainder.overflowing_sub(missing);
-            *remainder = if borrows { left.wrapping_add(area) } else { left };
+        for ((lacking, rest), units) in lacking.iter_mut().zip(step.rests).zip(U::UNITS) {
+            let (next, carries) = lacking.overflowing_add(rest);
+            *lacking = if carries { next.wrapping_sub(area) } else { next };
             for (word, unit) in words.iter_mut().zip(units) {
-                *word = word.wrapping_add(if borrows { 0 } else { unit });
+                *word = if carries { word.wrapping_add(unit) } else { *word };
             }
         }
     }
 
     #[inline(always)]
-    fn step_back(words: &mut [u32; WORDS], remainders: &mut [W; N], step: &JoinedStep<W, N, WORDS>, area: W) {
+    fn step_back(words: &mut [u32; WORDS], lacking: &mut [W; N], step: &JoinedStep<W, N, WORDS>, area: W) {
         for (word, whole) in words.iter_mut().zip(step.words) {
             *word = word.wrapping_sub(whole);
         }
-        for ((remainder, missing), units) in remainders.iter_mut().zip(step.missing).zip(U::UNITS) {
-            let (left, borrows) = remainder.overflowing_sub(area.wrapping_sub(missing));
-            *remainder = if borrows { left.wrapping_add(area) } else { left };
+        for ((lacking, rest), units) in lacking.iter_mut().zip(step.rests).zip(U::UNITS) {
+            let borrows = lacking.wrapping_add(area).less(rest);
+            let next = lacking.wrapping_sub(rest);
+            *lacking = if borrows { next.wrapping_add(area) } else { next };
             for (word, unit) in words.iter_mut().zip(units) {
-                *word = word.wrapping_sub(if borrows { unit } else { 0 });
+                *word = if borrows { word.wrapping_sub(unit) } else { *word };
             }
         }
     }
@@ -117,18 +118,18 @@ impl<W: Word, U: Units<N, WORDS>, const N: usize, const WORDS: usize> Follow for
         if !(rows == 1 && columns.wrapping_add(NEAR_COLUMNS).cast_unsigned() <= 2 * NEAR_COLUMNS.cast_unsigned()) {
             if rows != 0 || columns != 0 {
                 self.planes.evaluate();
-                (self.words, self.remainders) = Self::start(&self.planes);
+                (self.words, self.lacking) = Self::start(&self.planes);
             }
             return;
         }
-        let (mut words, mut remainders, area) = (self.words, self.remainders, self.planes.area);
-        Self::step(&mut words, &mut remainders, &self.down, area);
+        let (mut words, mut lacking, area) = (self.words, self.lacking, self.planes.area);
+        Self::step(&mut words, &mut lacking, &self.down, area);
         for _ in 0..columns {
-            Self::step(&mut words, &mut remainders, &self.right, area);
+            Self::step(&mut words, &mut lacking, &self.right, area);
         }
         for _ in columns..0 {
-            Self::step_back(&mut words, &mut remainders, &self.right, area);
+            Self::step_back(&mut words, &mut lacking, &self.right, area);
         }
-        (self.words, self.remainders) = (words, remainders);
+        (self.words, self.lacking) = (words, lacking);
     }
 }

@@ -17,8 +17,8 @@
 //! # Sizes
 //!
 //! `A` is at most the area of the bounding box, and so fits 64 bits for every triangle there is, and 32 bits for boxes
-//! up to 256 x 256 px: the word that remainders are kept in. Between steps a remainder is below `A`, and the carry
-//! out of the word says the rest.
+//! up to 256 x 256 px: the word that remainders are kept in. It holds the remainder less `A`: then what carries out of
+//! it when a step is added is the next unit, and no comparison is needed.
 //!
 //! The quotient is kept modulo 2^32. At a centre inside the triangle it lies between the vertices' values, so it is
 //! right there; on the way, through centres outside, it may be any number. That is why a sliver, where a step may be
@@ -32,7 +32,8 @@ use crate::{Vertex, subpixel::centre};
 pub(crate) trait Word: Copy + Debug {
     type Product: Copy + Debug;
 
-    fn overflowing_sub(self, other: Self) -> (Self, bool);
+    fn overflowing_add(self, other: Self) -> (Self, bool);
+    fn less(self, other: Self) -> bool;
     fn wrapping_add(self, other: Self) -> Self;
     fn wrapping_sub(self, other: Self) -> Self;
 
@@ -54,8 +55,13 @@ impl Word for u32 {
     type Product = i64;
 
     #[inline(always)]
-    fn overflowing_sub(self, other: Self) -> (Self, bool) {
-        self.overflowing_sub(other)
+    fn overflowing_add(self, other: Self) -> (Self, bool) {
+        self.overflowing_add(other)
+    }
+
+    #[inline(always)]
+    fn less(self, other: Self) -> bool {
+        self < other
     }
 
     #[inline(always)]
@@ -159,8 +165,13 @@ impl Word for u64 {
     type Product = i128;
 
     #[inline(always)]
-    fn overflowing_sub(self, other: Self) -> (Self, bool) {
-        self.overflowing_sub(other)
+    fn overflowing_add(self, other: Self) -> (Self, bool) {
+        self.overflowing_add(other)
+    }
+
+    #[inline(always)]
+    fn less(self, other: Self) -> bool {
+        self < other
     }
 
     #[inline(always)]
@@ -230,15 +241,15 @@ fn sides(vertices: &[Vertex; 3]) -> [(i64, i64); 2] {
 pub(crate) struct Step<W> {
     /// Whole units, modulo 2^32.
     pub(super) whole: i32,
-    /// The area less the rest, in `1..=area`: what must be left of the remainder for it to go into one more unit.
-    pub(super) missing: W,
+    /// What is left, below the area.
+    pub(super) rest: W,
 }
 
 impl<W: Word> Step<W> {
     #[inline(always)]
     fn new(gradient: W::Product, area: W) -> Self {
         let (whole, rest) = W::per_pixel(gradient, area);
-        Self { whole, missing: area.wrapping_sub(rest) }
+        Self { whole, rest }
     }
 }
 
@@ -246,17 +257,16 @@ impl<W: Word> Step<W> {
     /// To the nearest whole unit, modulo 2^32: what binary fixed point keeps of it.
     #[inline(always)]
     pub(super) fn rounded(&self, area: W) -> i32 {
-        // The rest is more than half where less than half is missing.
-        let (_, more_is_missing) = area.wrapping_sub(self.missing).overflowing_sub(self.missing);
-        self.whole.wrapping_add(i32::from(!more_is_missing))
+        // More than half where less than that is missing.
+        self.whole.wrapping_add(i32::from(!self.rest.less(area.wrapping_sub(self.rest))))
     }
 
     /// A step of twice as many pixels.
     #[inline]
     fn doubled(self, area: W) -> Self {
-        let mut at = At { value: 0, remainder: area.wrapping_sub(self.missing) };
+        let mut at = At { value: 0, lacking: self.rest.wrapping_sub(area) };
         at.step(&self, area);
-        Self { whole: self.whole.wrapping_add(at.value), missing: area.wrapping_sub(at.remainder) }
+        Self { whole: self.whole.wrapping_add(at.value), rest: at.lacking.wrapping_add(area) }
     }
 }
 
@@ -264,28 +274,30 @@ impl<W: Word> Step<W> {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct At<W> {
     pub(super) value: i32,
-    pub(super) remainder: W,
+    /// The remainder less the area, modulo the word: what carries out of it is one more unit.
+    pub(super) lacking: W,
 }
 
 impl<W: Word> At<W> {
-    /// A subtraction, an addition with carry, and an addition where it borrowed.
+    /// Two additions, and where the second carries, two more.
     #[inline(always)]
     fn step(&mut self, step: &Step<W>, area: W) {
-        let (remainder, borrows) = self.remainder.overflowing_sub(step.missing);
-        self.value = self.value.wrapping_add(step.whole).wrapping_add(i32::from(!borrows));
-        self.remainder = if borrows { remainder.wrapping_add(area) } else { remainder };
+        let (lacking, carries) = self.lacking.overflowing_add(step.rest);
+        self.value = self.value.wrapping_add(step.whole).wrapping_add(i32::from(carries));
+        self.lacking = if carries { lacking.wrapping_sub(area) } else { lacking };
     }
 
     #[inline(always)]
     fn step_back(&mut self, step: &Step<W>, area: W) {
-        let (remainder, borrows) = self.remainder.overflowing_sub(area.wrapping_sub(step.missing));
+        let borrows = self.lacking.wrapping_add(area).less(step.rest);
+        let lacking = self.lacking.wrapping_sub(step.rest);
         self.value = self.value.wrapping_sub(step.whole).wrapping_sub(i32::from(borrows));
-        self.remainder = if borrows { remainder.wrapping_add(area) } else { remainder };
+        self.lacking = if borrows { lacking.wrapping_add(area) } else { lacking };
     }
 }
 
 /// Wherever the next span starts further away than this, its values are divided afresh.
-pub(super) const NEAR_COLUMNS: i32 = 24;
+pub(super) const NEAR_COLUMNS: i32 = 8;
 
 /// `N` attributes over a triangle, at the centre of a pixel.
 #[derive(Debug, Clone)]
@@ -322,7 +334,7 @@ impl<W: Word, const N: usize> Planes<W, N> {
             gradients,
             right: gradients.map(|(x, _)| Step::new(x, area)),
             down: gradients.map(|(_, y)| Step::new(y, area)),
-            current: [At { value: 0, remainder: area }; N],
+            current: [At { value: 0, lacking: area }; N],
             column: start.1,
             row: start.0,
         };
@@ -337,7 +349,7 @@ impl<W: Word, const N: usize> Planes<W, N> {
         let (x, y) = (distance(self.column, x0), distance(self.row, y0));
         for (at, ((gx, gy), base)) in self.current.iter_mut().zip(self.gradients.iter().zip(&self.bases)) {
             let (value, remainder) = W::divided(*gx, *gy, x, y, self.area);
-            *at = At { value: value.wrapping_add(*base), remainder };
+            *at = At { value: value.wrapping_add(*base), lacking: remainder.wrapping_sub(self.area) };
         }
     }
 
