@@ -115,6 +115,7 @@ build_everything() {
     build_cycles >/dev/null
     build_firmware attributes thumbv7em-none-eabi >/dev/null
     build_firmware cube3d_cycles thumbv7em-none-eabi >/dev/null
+    build_firmware no_panic_varying thumbv7em-none-eabi >/dev/null
     echo "run.sh: linking no_panic, which fails if the library has a panic path" >&2
     # Every shape with every blending is more than the board has room for, and need not run.
     build_firmware no_panic thumbv7m-none-eabi --features embedded-graphics \

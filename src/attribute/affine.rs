@@ -18,11 +18,11 @@ use crate::{
 /// Triangles that share an edge and its values agree along it. The pixels are those of [`Triangle`].
 ///
 /// ```text
-///    0 *                    0
-///      | \                  1 2
-///      |   \       gives    2 3 4
-///      |     \              3 4 5 6
-///    4 *-------* 8          4 5 6 7 8
+///    0 *
+///      | \                  1
+///      |   \       gives    2 3
+///      |     \              3 4 5
+///    5 *-------* 10         4 5 6 7
 /// ```
 ///
 /// A triangle without area has no pixels. There are no errors but the sink's.
@@ -43,7 +43,7 @@ use crate::{
 /// let ramp = Affine::new(triangle, [[0], [10], [5]]);
 /// let mut display = MockDisplay::new();
 /// ramp.shaded(|[grey]| Gray4::new(grey as u8)).draw(&mut display)?;
-/// display.assert_pattern(&["0    ", "12   ", "234  ", "3456 ", "45678"]);
+/// display.assert_pattern(&["    ", "1   ", "23  ", "345 ", "4567"]);
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -35,7 +35,7 @@ use crate::{
 /// let across = LinearGradient::new(Vertex::pixel(0, 0), Vertex::pixel(5, 0), stops);
 /// let mut display = MockDisplay::new();
 /// Triangle::new(Point::new(0, 0), Point::new(6, 0), Point::new(0, 6)).painted(across).draw(&mut display).unwrap();
-/// display.assert_pattern(&["0369CF", "0369C", "0369", "036", "03", "0"]);
+/// display.assert_pattern(&["0369CF", "0369C ", "0369  ", "036   ", "03    ", "0     "]);
 /// # Ok::<(), spanfill::BadStops>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -55,7 +55,7 @@ impl core::error::Error for EmptyPattern {}
 /// let mut display = MockDisplay::new();
 /// let triangle = Triangle::new(Point::new(0, 0), Point::new(4, 0), Point::new(0, 4));
 /// triangle.painted(Pattern::new(board, Point::zero())?).draw(&mut display).unwrap();
-/// display.assert_pattern(&["#.#.", ".#.", "#.", "."]);
+/// display.assert_pattern(&["#.#.", ".#. ", "#.  ", ".   "]);
 /// # Ok::<(), spanfill::EmptyPattern>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -113,7 +113,7 @@ impl<C: PixelColor, T: GetPixel<Color = C>> Paint<C> for Pattern<T> {
 /// let mut display = MockDisplay::new();
 /// let triangle = Triangle::new(Point::new(0, 0), Point::new(6, 0), Point::new(0, 6));
 /// triangle.painted(Hatch::new(Hatch::DIAGONAL, BinaryColor::On, BinaryColor::Off)).draw(&mut display)?;
-/// display.assert_pattern(&["...#..", "..#..", ".#..", "#..", "..", "."]);
+/// display.assert_pattern(&["...#..", "..#.. ", ".#..  ", "#..   ", "..    ", ".     "]);
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -96,7 +96,8 @@ impl Sphere {
                     // `i = ((offset / radius + 1) 13 - k) / 2`, to the nearest.
                     let radius = i64::from(self.radius.max(1));
                     let i = (26 * offset + (26 - 2 * i64::from(k) + 2) * radius).div_euclid(4 * radius);
-                    entry |= i32::try_from(i.clamp(0, i64::from(13 - k))).ok()? << shift;
+                    let last = i64::from(13 - k);
+                    entry |= i32::try_from(if i < 0 { 0 } else { i.min(last) }).ok()? << shift;
                 }
                 let entry = u16::try_from(entry).ok()?;
                 let same = TABLE.get(usize::from(code)..usize::from(next))?;
