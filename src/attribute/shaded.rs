@@ -237,16 +237,55 @@ impl<D: PixelRows, F: Fn([i32; N]) -> D::Color + Copy, const N: usize> Attribute
         depths: impl Iterator<Item = u16>,
     ) -> Result<(), core::convert::Infallible> {
         let Self { ref mut target, ref mut buffer, shade, test } = *self;
-        let mut kept = buffer.row_mut(&span).iter_mut().zip(depths);
-        values.write(row_of(*target, &span), move |pixel, values| {
-            if let Some((kept, depth)) = kept.next()
-                && test.passes(depth, kept)
-            {
+        let kept = buffer.row_mut(&span);
+        let row = row_of(*target, &span);
+        if kept.len() > 32 * WORDS {
+            let mut kept = kept.iter_mut().zip(depths);
+            values.write(row, move |pixel, values| {
+                if let Some((kept, depth)) = kept.next()
+                    && test.passes(depth, kept)
+                {
+                    *pixel = shade(values);
+                }
+            });
+            return Ok(());
+        }
+        let passed = test_row(kept, depths, test);
+        let (mut words, mut bits, mut left) = (passed.iter(), 0_u32, 0_u32);
+        values.write(row, move |pixel, values| {
+            if left == 0 {
+                (bits, left) = (words.next().copied().unwrap_or(0), 32);
+            }
+            if bits & 1 != 0 {
                 *pixel = shade(values);
             }
+            bits >>= 1;
+            left -= 1;
         });
         Ok(())
     }
+}
+
+/// Room for the answers of 512 pixels; longer spans are tested pixel by pixel.
+const WORDS: usize = 16;
+
+/// Which pixels of a row pass, a bit each. Depths and colours each have a loop, and so enough registers.
+#[inline(never)]
+fn test_row(kept: &mut [u16], depths: impl Iterator<Item = u16>, test: DepthTest) -> [u32; WORDS] {
+    let mut passed = [0; WORDS];
+    let mut depths = depths;
+    for (kept, passed) in kept.chunks_mut(32).zip(&mut passed) {
+        let mut bit = 1_u32;
+        let mut word = 0;
+        for (kept, depth) in kept.iter_mut().zip(&mut depths) {
+            if test.passes(depth, kept) {
+                word |= bit;
+            }
+            bit <<= 1;
+        }
+        *passed = word;
+    }
+    passed
 }
 
 struct TestedToTarget<'t, 'b, D, F> {
