@@ -2,9 +2,8 @@
 //! texture, with and without a depth buffer; and what setting one up costs.
 //!
 //! `examples/firmware/run.sh attributes` builds it and runs it as `cycles`. Each row draws the same triangles into the
-//! rows of the same frame. The set-up is what a triangle costs without pixels to write: the walk over the edges of a
-//! flat one, drawn by the same means, is taken off, and what is left is split by the least squares into a part for a
-//! triangle, a row and a pixel.
+//! rows of the same frame. The set-up is what a triangle of one pixel costs more than the same triangle in one colour,
+//! which takes the same walk over its edges.
 
 #![no_std]
 #![no_main]
@@ -130,9 +129,8 @@ fn main() -> ! {
                 hundredths % 100
             )
             .expect("text");
-            writeln!(csv, "triangles,{name},cortex-m4,{box_px},{each},{hundredths},{setup_text}").expect("room");
+            writeln!(csv, "triangles,\"{name}\",cortex-m4,{box_px},{each},{hundredths},{setup_text}").expect("room");
         };
-        // Cut to nothing but its first row and column: all that is left is walking there, and setting it up.
         macro_rules! cost {
             ($name:literal, $draw:expr) => {{
                 let mut draw = $draw;
@@ -195,7 +193,7 @@ fn main() -> ! {
     unreachable!("the host has ended this program");
 }
 
-/// The same at a scale of a few pixels, where a triangle is hardly more than its set-up.
+/// The same around a single pixel's centre, where a triangle is hardly more than its set-up.
 fn thin(scene: &Scene) -> Scene {
     let [a, ..] = scene.triangle.vertices;
     let (x, y) = (a.x.to_bits(), a.y.to_bits());

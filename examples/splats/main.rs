@@ -32,7 +32,7 @@ struct Cli {
     /// Splats to draw at most, each time; all of them at last
     #[arg(long, value_delimiter = ',', default_values_t = [130_712, 259_975, 1_017_149])]
     budgets: Vec<u32>,
-    /// A folder for a picture of each
+    /// A folder for a picture of each, and one of the last four in half their size
     #[arg(long)]
     pictures: Option<PathBuf>,
     /// How often each is drawn; the fastest counts
@@ -163,6 +163,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let area = Rectangle::new(Point::zero(), Size::new(WIDTH as u32, HEIGHT as u32));
     let (mut frame, mut memory) = (Frame(vec![Rgb565::BLACK; WIDTH * HEIGHT]), vec![0; WIDTH * HEIGHT]);
 
+    let mut pictures = Vec::new();
     println!("| splats | threshold, px | ms | million splats a second |\n|--:|--:|--:|--:|");
     for budget in cli.budgets.iter().copied().chain([u32::MAX]) {
         let threshold = if budget == u32::MAX { 0 } else { model.threshold_for(&view, &screen, budget)?.0 };
@@ -187,7 +188,29 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             let pixels: Vec<u8> = frame.0.iter().flat_map(pixel).collect();
             let name = if budget == u32::MAX { "all.png".into() } else { format!("{budget}.png") };
             image::save_buffer(folder.join(name), &pixels, WIDTH as u32, HEIGHT as u32, image::ColorType::Rgb8)?;
+            pictures.push(pixels);
         }
     }
+    if let (Some(folder), Some(four)) = (&cli.pictures, pictures.last_chunk::<4>()) {
+        let pixels = overview(four);
+        let file = folder.join("overview.png");
+        image::save_buffer(file, &pixels, WIDTH as u32, HEIGHT as u32, image::ColorType::Rgb8)?;
+    }
     Ok(())
+}
+
+/// Four pictures in the place of one, each pixel the mean of four.
+fn overview(pictures: &[Vec<u8>; 4]) -> Vec<u8> {
+    let mut pixels = Vec::with_capacity(WIDTH * HEIGHT * 3);
+    for y in 0..HEIGHT {
+        for x in 0..WIDTH {
+            let picture = &pictures[2 * (y / (HEIGHT / 2)) + x / (WIDTH / 2)];
+            let (x, y) = (x % (WIDTH / 2) * 2, y % (HEIGHT / 2) * 2);
+            for channel in 0..3 {
+                let at = |x: usize, y: usize| u16::from(picture[(y * WIDTH + x) * 3 + channel]);
+                pixels.push(((at(x, y) + at(x + 1, y) + at(x, y + 1) + at(x + 1, y + 1) + 2) / 4) as u8);
+            }
+        }
+    }
+    pixels
 }
