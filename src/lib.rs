@@ -9,7 +9,8 @@
 //! Shape -clip-> Edge -one step a row-> Span, or a block of equal rows -> colour -> DrawTarget::fill_solid
 //! Cover -clip-> edges and cells -a row of pixels-> Span, run of coverage -> Blend -> fill_solid, fill_contiguous
 //!
-//! limits · subpixel · geometry, fragment · contours · turn · edge · span, error · coverage · area · shape, target · blend · draw · seed_fill · eg · methods
+//! limits · subpixel · geometry, fragment · contours · turn · edge · span, error · coverage · area · shape, target · blend
+//! · draw · seed_fill · attribute · paint, splat · eg · methods
 //! ```
 //!
 //! A module uses only what stands to its left. Shapes know no colours and no targets: they push [`Span`]s or blocks
@@ -99,6 +100,7 @@
 )]
 
 mod area;
+mod attribute;
 mod blend;
 mod contours;
 mod coverage;
@@ -113,8 +115,10 @@ mod limits;
 #[cfg(feature = "methods")]
 pub mod methods;
 mod seed_fill;
+mod paint;
 mod shape;
 mod span;
+pub mod splat;
 mod subpixel;
 mod target;
 mod turn;
@@ -127,6 +131,11 @@ struct Readme;
 extern crate std;
 
 pub use area::CoverageEdge;
+pub use attribute::{
+    Affine, AttributeSink, Attributes, Barycentric, Channels, DepthBuffer, DepthBufferError, DepthTest, DepthTested,
+    EXACT, EmptyTexture, Filter, Gouraud, NotInFront, PACKED, Perspective, Shaded, Texture, Values, Weights, Wrap,
+    average,
+};
 pub use blend::{Blend, Dither, InPlace, Linear, Mix, MixLinear, Over, ReadBack};
 pub use coverage::{Cell, CoverageSink, SampleCell, Samples};
 pub use draw::{AntiAlias, AntiAliased, Fill, Filled};
@@ -135,6 +144,11 @@ pub use fixed::types::I24F8;
 pub use fragment::{Fragment, FragmentSink};
 pub use geometry::{PixelRect, Vertex};
 pub use seed_fill::{Connectivity, FillRegion, FillSegment, SeedFill, SeedFillError};
+pub use paint::{
+    AreaSink, Areas, BadStops, Cells as MosaicCells, ConicalGradient, EmptyPattern, GouraudPaint, Hatch,
+    LinearGradient, Mosaic, MosaicCell, MosaicError, MosaicScratchTooSmall, Paint, Painted, PaintedAntiAliased,
+    Painting, Pattern, RadialGradient, Rounded, Solid, Spread, Stop, Stops, Tile, Tiles,
+};
 pub use shape::{
     ActiveEdge, ActiveEdges, Circle, Cover, FillRule, Line, Polygon, PolygonCoverageIn,
     PolygonCoverageWith, PolygonEdges, PolygonInScratch, PolygonWithCapacity, SampleEdge, Shape, SupersampledIn,
@@ -146,5 +160,5 @@ pub use turn::Turn;
 
 /// The traits that a program which draws needs in scope.
 pub mod prelude {
-    pub use crate::{AntiAlias as _, Cover as _, Fill as _, Shape as _};
+    pub use crate::{AntiAlias as _, Attributes as _, Cover as _, Fill as _, Painting as _, Shape as _};
 }

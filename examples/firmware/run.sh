@@ -20,6 +20,10 @@ Commands:
   cycles_aa [--csv OUT] [--readme FILE] [--check]
                      The same for `cycles_aa`: anti-aliased outlines, on a Cortex-M4F; the markers are `cycles_aa`.
                      Both: --check fails where there are more instructions than in examples/firmware/bars.csv.
+  attributes [--csv OUT]
+                     Runs `attributes` on an emulated Cortex-M4: a table of instructions a pixel of triangles whose
+                     colour, texture or depth varies. The CSV rows follow the table, or go to OUT.
+  cube3d             Runs `cube3d_cycles` on an emulated Cortex-M4: instructions a frame of examples/cube3d.
 
 Environment:
   SPANFILL_TOOLCHAIN   `rustup`: the toolchain in use, with rustup's targets, which are added where they are missing.
@@ -46,6 +50,9 @@ build_everything() {
     build_oled >/dev/null
     build_cycles >/dev/null
     build_cycles_aa >/dev/null
+    build_firmware attributes thumbv7em-none-eabi >/dev/null
+    build_firmware cube3d_cycles thumbv7em-none-eabi >/dev/null
+    build_firmware no_panic_varying thumbv7em-none-eabi >/dev/null
     echo "run.sh: linking no_panic, which fails if the library has a panic path" >&2
     # Every shape with every blending is more than the board has room for, and need not run.
     build_firmware no_panic thumbv7m-none-eabi --features embedded-graphics \
@@ -172,6 +179,39 @@ check_bars() {
     ' examples/firmware/bars.csv "$scratch/rows" || fail "not every bar of examples/firmware/bars.csv is reached"
 }
 
+run_attributes() {
+    local csv=
+    while (($#)); do
+        case $1 in
+        --csv) csv=$(in_caller_dir "${2:?--csv needs the name of a file}") ;;
+        *) fail "attributes does not know '$1'; see --help" ;;
+        esac
+        shift 2
+    done
+    need qemu-system-arm qemu-system-arm
+    local elf
+    elf=$(build_firmware attributes thumbv7em-none-eabi)
+    timeout 300 qemu-system-arm -machine mps2-an386 -icount shift=0 -nographic \
+        -semihosting-config enable=on,target=native -kernel "$elf" </dev/null >"$scratch/said" ||
+        fail "the firmware failed: $(cat "$scratch/said")"
+    sed '/^$/,$d' "$scratch/said"
+    if [[ -n $csv ]]; then
+        sed '1,/^$/d' "$scratch/said" >"$csv"
+    else
+        sed -n '/^$/,$p' "$scratch/said"
+    fi
+}
+
+run_cube3d() {
+    need qemu-system-arm qemu-system-arm
+    local elf
+    elf=$(build_firmware cube3d_cycles thumbv7em-none-eabi)
+    timeout 300 qemu-system-arm -machine mps2-an386 -icount shift=0 -nographic \
+        -semihosting-config enable=on,target=native -kernel "$elf" </dev/null >"$scratch/said" ||
+        fail "the firmware failed: $(cat "$scratch/said")"
+    cat "$scratch/said"
+}
+
 # put_table_into FILE NAME: replaces what stands between its two markers of that name.
 put_table_into() {
     local begin="<!-- $2:begin -->" end="<!-- $2:end -->"
@@ -193,7 +233,7 @@ case $command in
     usage
     exit
     ;;
-build | oled | cycles | cycles_aa) ;;
+build | oled | cycles | cycles_aa | attributes | cube3d) ;;
 *) fail "there is no '$command'; see --help" ;;
 esac
 
@@ -205,4 +245,6 @@ case $command in
 build) build_everything ;;
 oled) run_oled "$(in_caller_dir "${1:-oled.png}")" ;;
 cycles | cycles_aa) run_cycles "$command" "$@" ;;
+attributes) run_attributes "$@" ;;
+cube3d) run_cube3d ;;
 esac

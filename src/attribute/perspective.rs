@@ -1,0 +1,418 @@
+//! Attributes that are seen in perspective: quotients of planes.
+//!
+//! With `w` the distance from the eye's plane, `1/w` and `s/w` are planes over the screen, and `s` is their quotient
+//! (J. F. Blinn, "Hyperbolic interpolation", 1992; P. Heckbert and H. Moreton, "Interpolation for polygon texture
+//! mapping and shading", 1991).
+//!
+//! # Errors
+//!
+//! - The three `1/w` are scaled by one power of two, so that the largest has as many bits `b` as there is room for, at
+//!   most 16, and rounded to whole numbers `W`; the numerators are made from the same `W`. A `W` that is off by a
+//!   relative error of `e` moves `s` by `range(s) e / (2 (1 - e))` at most (Grüss' inequality), and never out of its
+//!   range. For distances up to 1:256 and 16 bits, `e` is at most `2^-9 (1 + 2^-8)`: 1/16 texel of 64.
+//! - Between two exact values `h` pixels apart, with `W0` and `W1`, a linear interpolation is off by at most
+//!
+//!   ```text
+//!     |s1 - s0| |sqrt(r) - 1| / (sqrt(r) + 1)  <=  |s1 - s0| |W1 - W0| / (4 min(W0, W1)),   r = W1 / W0
+//!   ```
+//!
+//!   Pieces are 16, 8, 4, 2 or 1 pixels long, by what of that stays within the tolerance: a division a piece.
+//! - Interpolated `W` are whole numbers again: half of one is at most 1/8 texel of 64 where `W` is 256.
+//! - Quotients are rounded to whole units, and steps within a piece to `2^-8` of one: two units more at most.
+
+use core::{array, iter::repeat};
+
+use crate::{
+    PixelRect, Triangle,
+    attribute::{
+        AttributeSink, Attributes, Values,
+        affine::depth,
+        plane::{Planes, Standing, Strides, Word},
+        walk::{Oriented, walk},
+    },
+};
+
+/// A vertex is not in front of the eye: its distance is 0 or less. Clip by the near plane before.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct NotInFront {
+    /// Which of the three.
+    pub vertex: usize,
+}
+
+impl core::fmt::Display for NotInFront {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "vertex {} is not in front of the eye", self.vertex)
+    }
+}
+
+impl core::error::Error for NotInFront {}
+
+/// A triangle with `N` attributes that vary linearly over the triangle in space, as it is seen.
+///
+/// Values are any `i32` in `-2^21..=2^21`, clamped to that; coordinates in a texture, say, in 1/256 texel. Distances
+/// are positive, in any unit: only their ratios count.
+///
+/// ```text
+///     4, w 1                      6, w 3
+///       *----------- + -----------*
+///                    4.5, not 5: what is further away is seen smaller
+/// ```
+///
+/// The value at a pixel centre is within the tolerance of the exact one, 1/4 texel unless told otherwise, and what the
+/// vertices' distances lose in 16 bits: for 64 texels and distances of 1:256 together less than 1/2 texel.
+///
+/// # Errors
+///
+/// [`NotInFront`] where a distance is 0 or less.
+///
+/// # Cost
+///
+/// `N` divisions for each 16 pixels, or each 8, 4, 2 or 1 where that is not near enough. Two additions for each
+/// attribute and pixel. See [`Affine`](crate::Affine) for the planes.
+///
+/// # Examples
+///
+/// ```
+/// use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray8, prelude::*};
+/// use spanfill::{Perspective, Triangle, Vertex, prelude::*};
+///
+/// // In 1/256, from 4 at the distance 1 to 6 at the distance 3. The middle is pixel 4's centre.
+/// let triangle = Triangle::new(Vertex::pixel(0, 0), Vertex::pixel(8, 0), Vertex::pixel(0, 8));
+/// let seen = Perspective::new(triangle, [[4 * 256], [6 * 256], [4 * 256]], [1, 3, 1])?;
+/// let mut display = MockDisplay::new();
+/// seen.shaded(|[s]| Gray8::new((s / 16) as u8)).draw(&mut display).unwrap();
+/// // 4.5 in sixteenths.
+/// assert_eq!(display.get_pixel(Point::new(4, 0)), Some(Gray8::new(72)));
+/// # Ok::<(), spanfill::NotInFront>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Perspective<const N: usize> {
+    triangle: Triangle,
+    /// The values less `bases`, times `inverses`.
+    numerators: [[i32; N]; 3],
+    bases: [i32; N],
+    /// The largest value of each, less its base.
+    ranges: [i32; N],
+    inverses: [i32; 3],
+    tolerance: u32,
+}
+
+/// Bits of the largest `W`, at most.
+const INVERSE_BITS: u32 = 16;
+/// How far values may be from 0.
+const VALUE_REACH: i32 = 1 << 21;
+
+impl<const N: usize> Perspective<N> {
+    /// A triangle with the values and the distance of each of its vertices.
+    ///
+    /// # Errors
+    ///
+    /// A distance of 0 or less.
+    pub fn new(triangle: Triangle, values: [[i32; N]; 3], distances: [i32; 3]) -> Result<Self, NotInFront> {
+        if let Some(vertex) = distances.iter().position(|w| *w <= 0) {
+            return Err(NotInFront { vertex });
+        }
+        let values = values.map(|values| values.map(|value| value.clamp(-VALUE_REACH, VALUE_REACH)));
+        let [a, b, c] = &values;
+        let mut bases = [0; N];
+        let mut ranges = [0; N];
+        for ((base, range), ((a, b), c)) in bases.iter_mut().zip(&mut ranges).zip(a.iter().zip(b).zip(c)) {
+            *base = *a.min(b).min(c);
+            *range = a.max(b).max(c) - *base;
+        }
+        let range = ranges.iter().copied().max().unwrap_or(0).unsigned_abs();
+        // Products of a value and an inverse have 30 bits at most.
+        let bits = (30 - (u32::BITS - range.leading_zeros())).min(INVERSE_BITS);
+        let [w0, w1, w2] = distances.map(i32::cast_unsigned);
+        let nearest = u64::from(w0.min(w1).min(w2));
+        let scale = ((1_u64 << bits) - 1) * nearest;
+        let inverses = [w0, w1, w2].map(|w| {
+            let w = u64::from(w.max(1));
+            i32::try_from((scale + w / 2) / w).unwrap_or(1).max(1)
+        });
+        let mut numerators = values;
+        for (numerators, inverse) in numerators.iter_mut().zip(inverses) {
+            for (numerator, base) in numerators.iter_mut().zip(bases) {
+                *numerator = numerator.wrapping_sub(base).wrapping_mul(inverse);
+            }
+        }
+        Ok(Self { triangle, numerators, bases, ranges, inverses, tolerance: 64 })
+    }
+
+    /// The same, with pieces that are off by at most so many units; 0 divides at every pixel. Pieces begin where the
+    /// clip lets them: only with 0 is no value changed by where a drawing is cut.
+    #[inline]
+    pub const fn tolerance(self, units: u32) -> Self {
+        Self { tolerance: units, ..self }
+    }
+
+    #[inline]
+    fn planes<W: Word>(&self, oriented: &Oriented, area: W, start: (i32, i32)) -> Quotients<W, N> {
+        Quotients {
+            numerators: Planes::new(&oriented.vertices, &oriented.ordered(&self.numerators), area, start),
+            inverse: Planes::new(&oriented.vertices, &oriented.ordered(&self.inverses).map(|w| [w]), area, start),
+        }
+    }
+}
+
+#[derive(Debug)]
+struct Quotients<W: Word, const N: usize> {
+    numerators: Planes<W, N>,
+    inverse: Planes<W, 1>,
+}
+
+impl<W: Word, const N: usize> super::walk::Follow for Quotients<W, N> {
+    #[inline(always)]
+    fn go_to(&mut self, row: i32, column: i32) {
+        self.numerators.go_to(row, column);
+        self.inverse.go_to(row, column);
+    }
+}
+
+/// The values of a span, piece by piece.
+#[derive(Debug)]
+struct Pieces<'p, W: Word, const N: usize> {
+    numerators: Standing<W, N>,
+    inverse: Standing<W, 1>,
+    strides: &'p (Strides<W, N>, Strides<W, 1>),
+    bases: [i32; N],
+    ranges: [i32; N],
+    tolerance: u32,
+    /// The exact values at the current centre, less the bases, and their `W`.
+    start: [i32; N],
+    start_inverse: i32,
+    /// How many more centres the span has to the right of the current one.
+    rest: u32,
+    /// How long the next piece may be, to the power of two.
+    length_log2: u32,
+    piece: Piece<N>,
+}
+
+/// Values in a line, with [`FRACTION`] bits more.
+#[derive(Debug, Clone, Copy)]
+struct Piece<const N: usize> {
+    current: [i32; N],
+    step: [i32; N],
+    left: u32,
+}
+
+const FRACTION: u32 = 8;
+const LONGEST_LOG2: u32 = 4;
+
+/// Without a tolerance, every pixel is divided, whatever it is divided by: no value then depends on the clip.
+const fn longest_log2(tolerance: u32) -> u32 {
+    if tolerance == 0 { 0 } else { LONGEST_LOG2 }
+}
+
+impl<const N: usize> Piece<N> {
+    #[inline(always)]
+    fn next(&mut self) -> [i32; N] {
+        let values = self.current.map(|value| value >> FRACTION);
+        for (current, step) in self.current.iter_mut().zip(&self.step) {
+            *current = current.wrapping_add(*step);
+        }
+        values
+    }
+}
+
+impl<W: Word, const N: usize> Pieces<'_, W, N> {
+    /// The next piece: as long as the tolerance allows.
+    #[inline(never)]
+    fn refill(&mut self) {
+        let bases = self.bases;
+        let held = |start: &[i32; N]| {
+            let mut current = *start;
+            for (current, base) in current.iter_mut().zip(bases) {
+                *current = (current.wrapping_add(base) << FRACTION) + (1 << (FRACTION - 1));
+            }
+            current
+        };
+        if self.rest == 0 {
+            self.piece = Piece { current: held(&self.start), step: [0; N], left: 1 };
+            return;
+        }
+        loop {
+            let length = self.rest.min(1 << self.length_log2);
+            let (mut numerators, mut inverse) = (self.numerators, self.inverse);
+            numerators.advance(length, &self.strides.0);
+            inverse.advance(length, &self.strides.1);
+            let [w] = inverse.values();
+            let w = w.max(1);
+            let end = quotients(numerators.values(), w, &self.ranges);
+            if length > 1 && !self.is_near(&end, w) {
+                // To the next power of two below the length.
+                self.length_log2 = (u32::BITS - 1 - (length - 1).leading_zeros()).min(self.length_log2 - 1);
+                continue;
+            }
+            let step = array::from_fn(|index| {
+                let of = |values: &[i32; N]| values.get(index).copied().unwrap_or_default();
+                let difference = (of(&end) - of(&self.start)) << FRACTION;
+                if length.is_power_of_two() {
+                    difference >> length.trailing_zeros()
+                } else {
+                    difference / length.cast_signed().max(1)
+                }
+            });
+            self.piece = Piece { current: held(&self.start), step, left: length };
+            (self.numerators, self.inverse, self.start, self.start_inverse) = (numerators, inverse, end, w);
+            self.rest -= length;
+            self.length_log2 = (self.length_log2 + 1).min(longest_log2(self.tolerance));
+            return;
+        }
+    }
+
+    /// Whether a line from the current values to those at `end` is within the tolerance, see the module.
+    #[inline]
+    fn is_near(&self, end: &[i32; N], end_inverse: i32) -> bool {
+        let change = u64::from(end_inverse.abs_diff(self.start_inverse));
+        let bound = 4 * u64::from(self.tolerance) * u64::from(end_inverse.min(self.start_inverse).unsigned_abs());
+        end.iter().zip(&self.start).all(|(end, start)| u64::from(end.abs_diff(*start)) * change <= bound)
+    }
+}
+
+/// To the nearest; numerators are not negative at a centre inside, and below 2^30. As `w` was rounded, too, a quotient
+/// could go beyond the largest value.
+#[inline(always)]
+fn quotients<const N: usize>(numerators: [i32; N], w: i32, ranges: &[i32; N]) -> [i32; N] {
+    let w = w.cast_unsigned().max(1);
+    let mut quotients = numerators;
+    for (quotient, range) in quotients.iter_mut().zip(ranges) {
+        *quotient = (quotient.cast_unsigned().wrapping_add(w / 2) / w).cast_signed().min(*range);
+    }
+    quotients
+}
+
+impl<W: Word, const N: usize> Iterator for Pieces<'_, W, N> {
+    type Item = [i32; N];
+
+    #[inline]
+    fn next(&mut self) -> Option<[i32; N]> {
+        if self.piece.left == 0 {
+            self.refill();
+        }
+        self.piece.left -= 1;
+        Some(self.piece.next())
+    }
+}
+
+impl<W: Word, const N: usize> Values<N> for Pieces<'_, W, N> {
+    #[inline(never)]
+    fn write<T>(mut self, into: &mut [T], mut write: impl FnMut(&mut T, [i32; N])) {
+        let mut rest = into;
+        while !rest.is_empty() {
+            self.refill();
+            let piece = self.piece;
+            self.piece.left = 0;
+            let length = usize::try_from(piece.left).unwrap_or(1).min(rest.len());
+            let Some((now, later)) = rest.split_at_mut_checked(length) else { return };
+            write_piece(piece, now, &mut write);
+            rest = later;
+        }
+    }
+}
+
+#[inline(always)]
+fn write_piece<T, const N: usize>(mut piece: Piece<N>, into: &mut [T], write: &mut impl FnMut(&mut T, [i32; N])) {
+    for item in into {
+        write(item, piece.next());
+    }
+}
+
+impl<W: Word, const N: usize> Quotients<W, N> {
+    #[inline]
+    fn pieces<'p>(
+        &self,
+        of: &Perspective<N>,
+        width: u32,
+        strides: &'p (Strides<W, N>, Strides<W, 1>),
+    ) -> Pieces<'p, W, N> {
+        let (numerators, inverse) = (self.numerators.standing(), self.inverse.standing());
+        let [w] = inverse.values();
+        let w = w.max(1);
+        Pieces {
+            start: quotients(numerators.values(), w, &of.ranges),
+            start_inverse: w,
+            numerators,
+            inverse,
+            strides,
+            bases: of.bases,
+            ranges: of.ranges,
+            tolerance: of.tolerance,
+            rest: width.saturating_sub(1),
+            length_log2: longest_log2(of.tolerance),
+            piece: Piece { current: [0; N], step: [0; N], left: 0 },
+        }
+    }
+}
+
+impl<const N: usize> Attributes<N> for Perspective<N> {
+    #[inline]
+    fn triangle(&self) -> &Triangle {
+        &self.triangle
+    }
+
+    #[inline]
+    fn interpolate<S: AttributeSink<N>>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
+        let Some(oriented) = Oriented::new(&self.triangle) else { return Ok(()) };
+        match oriented.narrow(&self.numerators) {
+            Some(area) => self.rows(&oriented, area, clip, sink),
+            None => self.rows(&oriented, oriented.area, clip, sink),
+        }
+    }
+
+    #[inline]
+    fn interpolate_with_depth<S: AttributeSink<N>>(
+        &self,
+        depths: [u16; 3],
+        clip: &PixelRect,
+        sink: &mut S,
+    ) -> Result<(), S::Error> {
+        let Some(oriented) = Oriented::new(&self.triangle) else { return Ok(()) };
+        match oriented.narrow(&self.numerators) {
+            Some(area) => self.rows_with_depth(&oriented, area, depths, clip, sink),
+            None => self.rows_with_depth(&oriented, oriented.area, depths, clip, sink),
+        }
+    }
+}
+
+impl<const N: usize> Perspective<N> {
+    #[inline]
+    fn rows<W: Word, S: AttributeSink<N>>(
+        &self,
+        oriented: &Oriented,
+        area: W,
+        clip: &PixelRect,
+        sink: &mut S,
+    ) -> Result<(), S::Error> {
+        let mut strides = None;
+        walk(
+            &self.triangle,
+            clip,
+            |start| self.planes(oriented, area, start),
+            |span, planes: &Quotients<W, N>| {
+                let strides = strides.get_or_insert_with(|| (planes.numerators.strides(), planes.inverse.strides()));
+                let width = span.columns.end.wrapping_sub(span.columns.start).cast_unsigned();
+                sink.span(span, planes.pieces(self, width, strides), repeat(0))
+            },
+        )
+    }
+
+    #[inline]
+    fn rows_with_depth<W: Word, S: AttributeSink<N>>(
+        &self,
+        oriented: &Oriented,
+        area: W,
+        depths: [u16; 3],
+        clip: &PixelRect,
+        sink: &mut S,
+    ) -> Result<(), S::Error> {
+        let depths = oriented.ordered(&depths).map(|depth| [i32::from(depth)]);
+        let mut strides = None;
+        let make = |start| (self.planes(oriented, area, start), Planes::new(&oriented.vertices, &depths, area, start));
+        walk(&self.triangle, clip, make, |span, (planes, depths): &(Quotients<W, N>, Planes<W, 1>)| {
+            let strides = strides.get_or_insert_with(|| (planes.numerators.strides(), planes.inverse.strides()));
+            let width = span.columns.end.wrapping_sub(span.columns.start).cast_unsigned();
+            sink.span(span, planes.pieces(self, width, strides), depths.to_the_right().map(depth))
+        })
+    }
+}
