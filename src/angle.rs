@@ -161,7 +161,7 @@ impl Angle {
     pub const fn from_radians(radians: f32) -> Self {
         let Some((mantissa, exponent, is_negative)) = parts(radians) else { return Self::ZERO };
         // 2^100 / 2 pi; mantissa < 2^24.
-        const PER_TURN: u128 = ((1_u128 << 127) / PI_Q60.cast_unsigned() << 32)
+        const PER_TURN: u128 = (((1_u128 << 127) / PI_Q60.cast_unsigned()) << 32)
             + (((1_u128 << 127) % PI_Q60.cast_unsigned()) << 32) / PI_Q60.cast_unsigned();
         // 1/(2 pi) = 2^127 / PI_Q60 / 2^68, and 32 bits more.
         let turns = mantissa as u128 * PER_TURN;
@@ -208,6 +208,7 @@ impl Angle {
         let nearest = (within + (1 << (STEP_BITS - 1))) >> STEP_BITS;
         let offset = within - (nearest << STEP_BITS);
         // In 2^-35 radians, below 2^29; divisions that cut towards zero keep both directions alike.
+        #[allow(clippy::cast_possible_truncation, reason = "2^31.7")]
         const RADIANS_Q30: i64 = (PI_Q60 >> 30) as i64;
         let d = offset * RADIANS_Q30 / (1 << 26);
         let square = d * d / (1 << 35);

@@ -9,7 +9,7 @@
 //! Shape -clip-> Edge -one step a row-> Span, or a block of equal rows -> colour -> DrawTarget::fill_solid
 //! Cover -clip-> edges and cells -a row of pixels-> Span, run of coverage -> Blend -> fill_solid, fill_contiguous
 //!
-//! limits · subpixel · geometry, fragment · angle · turn · edge · span, error · coverage · shape, target · blend · draw · eg · methods
+//! limits · subpixel · geometry, fragment · angle · turn · outline · path · edge · span, error · coverage · shape, target · blend · draw · eg · methods
 //! ```
 //!
 //! A module uses only what stands to its left. Shapes know no colours and no targets: they push [`Span`]s or blocks
@@ -110,6 +110,8 @@ mod fragment;
 mod geometry;
 mod limits;
 pub mod methods;
+mod outline;
+mod path;
 mod shape;
 mod span;
 mod subpixel;
@@ -131,6 +133,10 @@ pub use error::{TooLittleScratch, TooManyEdges};
 pub use fixed::types::I24F8;
 pub use fragment::{Fragment, FragmentSink};
 pub use geometry::{PixelRect, Vertex};
+pub use outline::{
+    Curve, CurvePoints, CurveSink, Curves, FinePoint, FineRect, Flattened, Outline, OutlineCount, OutlineSink,
+};
+pub use path::{ArcTo, Element, Path, PathError, SvgElements, Transform};
 pub use shape::{
     ActiveEdge, ActiveEdges, Circle, Cover, CoverageEdge, FillRule, Line, Polygon, PolygonCoverageIn,
     PolygonCoverageWith, PolygonEdges, PolygonInScratch, PolygonWithCapacity, SampleEdge, Shape, SupersampledIn,
