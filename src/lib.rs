@@ -9,7 +9,7 @@
 //! Shape -clip-> Edge -one step a row-> Span, or a block of equal rows -> colour -> DrawTarget::fill_solid
 //! Cover -clip-> edges and cells -a row of pixels-> Span, run of coverage -> Blend -> fill_solid, fill_contiguous
 //!
-//! limits · subpixel · geometry, fragment · angle · turn · outline · path · edge · span, error · coverage · shape, target · blend · draw · eg · methods
+//! limits · subpixel · geometry, fragment · angle · turn · outline · path, stroke · edge · span, error · coverage · shape, target · blend · draw · eg · methods
 //! ```
 //!
 //! A module uses only what stands to its left. Shapes know no colours and no targets: they push [`Span`]s or blocks
@@ -114,6 +114,7 @@ mod outline;
 mod path;
 mod shape;
 mod span;
+mod stroke;
 mod subpixel;
 mod target;
 mod turn;
@@ -143,6 +144,7 @@ pub use shape::{
     Triangle,
 };
 pub use span::{BlockSink, Span, SpanSink};
+pub use stroke::{Cap, Join, Stroke, StrokeStyle};
 pub use target::PixelRows;
 pub use turn::Turn;
 

@@ -51,8 +51,8 @@ pub struct Curve {
 enum Kind {
     /// `from + c1 t + c2 t^2 + c3 t^3` in `2^log_chords` chords.
     Polynomial { c1: Vector, c2: Vector, c3: Vector, log_chords: u32 },
-    /// `center + u cos + v sin` over a sweep that starts somewhere, in 2^-32 turns.
-    Ellipse { center: FinePoint, u: Vector, v: Vector, start: Angle, sweep: i64, chords: u32 },
+    /// `center + u cos + v sin` over a sweep that starts somewhere, in 2^-32 turns; walked from its end, perhaps.
+    Ellipse { center: FinePoint, u: Vector, v: Vector, start: Angle, sweep: i64, chords: u32, is_reversed: bool },
 }
 
 /// The least `k` for which `4^k` chords squared are enough: `deviation / 4^k` is within the tolerance.
@@ -119,7 +119,7 @@ impl Curve {
             grown
         };
         let [u, v] = [u, v].map(|axis| Vector::new(grow(axis.x), grow(axis.y)));
-        Self { from, to, kind: Kind::Ellipse { center, u, v, start, sweep, chords } }
+        Self { from, to, kind: Kind::Ellipse { center, u, v, start, sweep, chords, is_reversed: false } }
     }
 
     /// Its first point.
@@ -154,8 +154,8 @@ impl Curve {
                 c3: Vector::default().minus(c3),
                 log_chords,
             },
-            Kind::Ellipse { center, u, v, start, sweep, chords } => {
-                Kind::Ellipse { center, u, v, start: start + Angle::from_bits(low_word(sweep)), sweep: -sweep, chords }
+            Kind::Ellipse { center, u, v, start, sweep, chords, is_reversed } => {
+                Kind::Ellipse { center, u, v, start, sweep, chords, is_reversed: !is_reversed }
             }
         };
         Self { from: to, to: from, kind }
@@ -164,14 +164,36 @@ impl Curve {
     /// Every point but the first, in order.
     #[inline]
     pub fn points(&self) -> CurvePoints {
+        self.points_after(0)
+    }
+
+    /// Every point after so many chords, in order.
+    #[inline]
+    pub(crate) fn points_after(&self, index: u32) -> CurvePoints {
         let walk = match self.kind {
             Kind::Polynomial { c1, c2, c3, log_chords } => {
-                let axis = |c1: i64, c2: i64, c3: i64| Differences::new(c1, c2, c3, log_chords);
+                let axis = |c1: i64, c2: i64, c3: i64| Differences::new([c1, c2, c3], log_chords, index);
                 Walk::Polynomial { x: axis(c1.x, c2.x, c3.x), y: axis(c1.y, c2.y, c3.y), bits: 3 * log_chords + 6 }
             }
-            Kind::Ellipse { .. } => Walk::Ellipse { index: 0 },
+            Kind::Ellipse { .. } => Walk::Ellipse { index },
         };
-        CurvePoints { curve: *self, walk, left: self.chords() }
+        CurvePoints { curve: *self, walk, left: self.chords().saturating_sub(index) }
+    }
+
+    /// The same in about four times as many chords, as far as numbers allow.
+    #[must_use]
+    pub(crate) fn refined(&self) -> Self {
+        let mut refined = *self;
+        match &mut refined.kind {
+            Kind::Polynomial { c1, c2, c3, log_chords } => {
+                let size = c1.length_at_most() + c2.length_at_most() + c3.length_at_most() + 1;
+                let most = size.leading_zeros().saturating_sub(8) / 3;
+                *log_chords = (*log_chords + 2).min(most.max(*log_chords));
+            }
+            // Points were moved out for fewer chords: by less than 1/1400 pixel, all to the same side.
+            Kind::Ellipse { chords, .. } => *chords *= 4,
+        }
+        refined
     }
 
     /// The rows, in 1/4096 pixel, that none of its points is outside of.
@@ -200,26 +222,44 @@ impl Curve {
     pub(crate) fn start_direction(&self) -> Option<Vector> {
         let candidates = match self.kind {
             Kind::Polynomial { c1, c2, c3, .. } => [c1, c2, c3],
-            Kind::Ellipse { u, v, start, sweep, .. } => {
-                let (sin, cos) = start.sin_cos();
-                let (sin, cos) = (i64::from(sin), i64::from(cos));
-                let along = |u: i64, v: i64| {
-                    (i128::from(v) * i128::from(cos) - i128::from(u) * i128::from(sin)) * i128::from(sweep.signum())
-                };
-                let (x, y) = (along(u.x, v.x), along(u.y, v.y));
-                // As long as 30 bits can tell.
-                let bits = (u128::BITS - (x.unsigned_abs() | y.unsigned_abs()).leading_zeros()).saturating_sub(30);
-                #[allow(clippy::cast_possible_truncation, reason = "shifted to 30 bits")]
-                let tangent = Vector::new((x >> bits) as i64, (y >> bits) as i64);
-                [tangent, Vector::between(self.from, self.to), Vector::default()]
-            }
+            Kind::Ellipse { .. } => [self.direction(0, 0), Vector::between(self.from, self.to), Vector::default()],
         };
         candidates.into_iter().find(|candidate| !candidate.is_zero())
     }
 
+    /// The direction in which it goes after `index` chords and a part of the next, in 1/65536; or none at all, in a cusp.
+    pub(crate) fn direction(&self, index: u32, part: u32) -> Vector {
+        let position = (i64::from(index) << 16) + i64::from(part);
+        match self.kind {
+            Kind::Polynomial { c1, c2, c3, log_chords } => {
+                // 2^16 n times the parameter, of at most 2^26; coefficients below 2^36.
+                let whole = 16 + log_chords;
+                let axis = |c1: i64, c2: i64, c3: i64| {
+                    let (c1, c2, c3, t) = (i128::from(c1), i128::from(c2), i128::from(c3), i128::from(position));
+                    (c1 << (2 * whole)) + ((2 * c2 * t) << whole) + 3 * c3 * t * t
+                };
+                shortened(axis(c1.x, c2.x, c3.x), axis(c1.y, c2.y, c3.y))
+            }
+            Kind::Ellipse { u, v, start, sweep, chords, is_reversed, .. } => {
+                let position = if is_reversed { (i64::from(chords) << 16) - position } else { position };
+                let swept = i128::from(sweep) * i128::from(position) / (i128::from(chords.max(1)) << 16);
+                #[allow(clippy::cast_possible_truncation, reason = "at most the sweep")]
+                let (sin, cos) = (start + Angle::from_bits(low_word(swept as i64))).sin_cos();
+                let (sin, cos) = (i64::from(sin), i64::from(cos));
+                let along = |u: i64, v: i64| {
+                    let along = i128::from(v) * i128::from(cos) - i128::from(u) * i128::from(sin);
+                    if is_reversed == (sweep < 0) { along } else { -along }
+                };
+                let (x, y) = (along(u.x, v.x), along(u.y, v.y));
+                shortened(x, y)
+            }
+        }
+    }
+
     /// The point after `index` chords of an arc.
     fn on_ellipse(&self, index: u32) -> FinePoint {
-        let Kind::Ellipse { center, u, v, start, sweep, chords } = self.kind else { return self.to };
+        let Kind::Ellipse { center, u, v, start, sweep, chords, is_reversed } = self.kind else { return self.to };
+        let index = if is_reversed { chords.saturating_sub(index) } else { index };
         let part = sweep * i64::from(index) / i64::from(chords.max(1));
         let (sin, cos) = (start + Angle::from_bits(low_word(part))).sin_cos();
         let at = |center: i32, u: i64, v: i64| {
@@ -230,6 +270,14 @@ impl Curve {
         };
         FinePoint::from_bits(at(center.x, u.x, v.x), at(center.y, u.y, v.y))
     }
+}
+
+/// As long as 30 bits can tell.
+fn shortened(x: i128, y: i128) -> Vector {
+    let bits = (u128::BITS - (x.unsigned_abs() | y.unsigned_abs()).leading_zeros()).saturating_sub(30);
+    #[allow(clippy::cast_possible_truncation, reason = "shifted to 30 bits")]
+    let vector = Vector::new((x >> bits) as i64, (y >> bits) as i64);
+    vector
 }
 
 #[inline]
@@ -272,19 +320,19 @@ struct Differences {
 
 impl Differences {
     /// `64 n^3 (c1 t + c2 t^2 + c3 t^3 - 11/64 (c2 + 3 c3 t) / n^2)` at `t = i / n`: the last part is 11/16 of `h^2 B'' / 8`.
-    fn new(c1: i64, c2: i64, c3: i64, log: u32) -> Self {
+    fn new([c1, c2, c3]: [i64; 3], log: u32, index: u32) -> Self {
         let shifted = |value: i64, bits: u32| value.wrapping_shl(bits);
         // As a i^3 + b i^2 + c i + d.
         let a = shifted(c3, 6);
         let b = shifted(c2, 6 + log);
         let c = shifted(c1, 6 + 2 * log).wrapping_sub(c3.wrapping_mul(33));
         let d = shifted(c2.wrapping_mul(11), log).wrapping_neg();
-        Self {
-            value: d,
-            first: a.wrapping_add(b).wrapping_add(c),
-            second: a.wrapping_mul(6).wrapping_add(b.wrapping_mul(2)),
-            third: a.wrapping_mul(6),
-        }
+        let i = i64::from(index);
+        // Horner's rule, and the differences to the next: a (3 i^2 + 3 i + 1) + b (2 i + 1) + c, and so on.
+        let value = a.wrapping_mul(i).wrapping_add(b).wrapping_mul(i).wrapping_add(c).wrapping_mul(i).wrapping_add(d);
+        let first = a.wrapping_mul(3 * i * (i + 1) + 1).wrapping_add(b.wrapping_mul(2 * i + 1)).wrapping_add(c);
+        let second = a.wrapping_mul(6 * (i + 1)).wrapping_add(b.wrapping_mul(2));
+        Self { value, first, second, third: a.wrapping_mul(6) }
     }
 
     #[inline(always)]
