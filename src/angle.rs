@@ -26,7 +26,7 @@ use core::ops::{Add, Neg, Sub};
 ///
 /// let tick = Angle::fraction(1, 60);
 /// assert_eq!(Angle::degrees(6), tick);
-/// assert_eq!(tick.sin_cos().0, 112_236_691); // 0.10452846 * 2^30
+/// assert_eq!(tick.sin_cos().0, 112_236_582); // 0.10452846 * 2^30
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default)]
 pub struct Angle {

@@ -9,7 +9,7 @@
 //! Shape -clip-> Edge -one step a row-> Span, or a block of equal rows -> colour -> DrawTarget::fill_solid
 //! Cover -clip-> edges and cells -a row of pixels-> Span, run of coverage -> Blend -> fill_solid, fill_contiguous
 //!
-//! limits · subpixel · geometry, fragment · angle · turn · outline · path, stroke · edge · span, error · coverage · shape, target · blend · draw · eg · methods
+//! limits · subpixel · geometry, fragment · angle · turn · outline · path, stroke · edge · span, error · coverage · shape, target · primitive, collected · blend · draw · eg · methods
 //! ```
 //!
 //! A module uses only what stands to its left. Shapes know no colours and no targets: they push [`Span`]s or blocks
@@ -100,6 +100,7 @@
 
 mod angle;
 mod blend;
+mod collected;
 mod coverage;
 mod draw;
 mod edge;
@@ -112,6 +113,7 @@ mod limits;
 pub mod methods;
 mod outline;
 mod path;
+mod primitive;
 mod shape;
 mod span;
 mod stroke;
@@ -128,6 +130,7 @@ extern crate std;
 
 pub use angle::Angle;
 pub use blend::{Blend, Dither, InPlace, Linear, Mix, MixLinear, Over, ReadBack};
+pub use collected::{TooFewVertices, collect};
 pub use coverage::{Cell, CoverageSink, SampleCell, Samples};
 pub use draw::{AntiAlias, AntiAliased, Fill, Filled};
 pub use error::{TooLittleScratch, TooManyEdges};
@@ -138,6 +141,7 @@ pub use outline::{
     Curve, CurvePoints, CurveSink, Curves, FinePoint, FineRect, Flattened, Outline, OutlineCount, OutlineSink,
 };
 pub use path::{ArcTo, Element, Path, PathError, SvgElements, Transform};
+pub use primitive::{Arc, ArcLine, CircleOutline, Ellipse, Rectangle, Ring, RoundedRectangle, Sector, TaperedLine};
 pub use shape::{
     ActiveEdge, ActiveEdges, Circle, Cover, CoverageEdge, FillRule, Line, Polygon, PolygonCoverageIn,
     PolygonCoverageWith, PolygonEdges, PolygonInScratch, PolygonWithCapacity, SampleEdge, Shape, SupersampledIn,

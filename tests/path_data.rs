@@ -427,7 +427,7 @@ fn no_coordinate_is_too_far() {
                 let transform = Transform::new([[a, b], [b, a]], q);
                 for path in [Path::new(&elements), Path::new(&elements).transformed(transform)] {
                     assert_eq!(path.outline().count().contours, 1);
-                    let bounds = path.bounds();
+                    let bounds = path.extent();
                     assert!(bounds.low.x <= bounds.high.x);
                 }
             }

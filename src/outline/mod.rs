@@ -15,7 +15,7 @@
 //! walked again, from either end, to the same points. A sink that does not care gets its points.
 //!
 //! What it costs: who needs an outline in bands of rows walks it once for each, and skips what lies outside by the
-//! [bounds](Outline::bounds) of the whole and the [hull](Curve::rows) of each curve.
+//! [extent](Outline::extent) of the whole and the [hull](Curve::rows) of each curve.
 
 mod curve;
 mod fine;
@@ -36,10 +36,10 @@ pub trait Outline {
 
     /// A rectangle that no point is outside of, without walking the outline where it is cheaper to know. Empty
     /// outlines may have any.
-    fn bounds(&self) -> FineRect {
-        let mut bounds = FineRect::EMPTY;
-        self.emit(&mut bounds);
-        bounds
+    fn extent(&self) -> FineRect {
+        let mut extent = FineRect::EMPTY;
+        self.emit(&mut extent);
+        extent
     }
 
     /// How many points and contours it has: what a sink that stores them needs. Walks the outline.
@@ -99,8 +99,8 @@ impl<O: Outline> Outline for &O {
         (**self).emit(sink);
     }
 
-    fn bounds(&self) -> FineRect {
-        (**self).bounds()
+    fn extent(&self) -> FineRect {
+        (**self).extent()
     }
 }
 

@@ -129,7 +129,7 @@ impl Path<'_> {
 ///
 /// const HOME: Path = path!("M10 20v-6h4v6h5v-8h3L12 3 2 12h3v8z");
 /// static LARGE_HOME: Path = path!("M10 20v-6h4v6h5v-8h3L12 3 2 12h3v8z", 2, 1);
-/// assert_eq!(HOME.elements().len(), 11);
+/// assert_eq!(HOME.elements().len(), 12);
 /// ```
 ///
 /// ```compile_fail
