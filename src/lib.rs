@@ -149,7 +149,7 @@ pub use shape::{
 };
 pub use span::{BlockSink, Span, SpanSink};
 pub use stroke::{Cap, Join, Stroke, StrokeStyle};
-pub use target::PixelRows;
+pub use target::{PixelRows, View};
 pub use turn::Turn;
 
 /// The traits that a program which draws needs in scope.

@@ -32,9 +32,10 @@ fn areas(lines: u32, mut intervals: impl FnMut(f64) -> Vec<(f64, f64)>) -> Vec<f
         let row = &mut areas[(line / lines * SIZE.unsigned_abs()) as usize..][..SIZE as usize];
         for (from, to) in intervals(y) {
             let (from, to) = (from.clamp(0.0, f64::from(SIZE)), to.clamp(0.0, f64::from(SIZE)));
-            for column in from.floor() as usize..to.ceil() as usize {
+            let touched = from.floor() as usize..to.ceil() as usize;
+            for (column, area) in touched.clone().zip(&mut row[touched]) {
                 let (left, right) = (column as f64, column as f64 + 1.0);
-                row[column] += (to.min(right) - from.max(left)).max(0.0) * 255.0 / f64::from(lines);
+                *area += (to.min(right) - from.max(left)).max(0.0) * 255.0 / f64::from(lines);
             }
         }
     }

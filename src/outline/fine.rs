@@ -67,11 +67,6 @@ impl FinePoint {
     pub(crate) const fn clamped(x: i64, y: i64) -> Self {
         Self { x: clamp_fine(x), y: clamp_fine(y) }
     }
-
-    #[inline]
-    pub(crate) const fn vector(self) -> Vector {
-        Vector { x: self.x as i64, y: self.y as i64 }
-    }
 }
 
 impl From<Vertex> for FinePoint {
@@ -253,8 +248,8 @@ mod tests {
             assert!((value - 16 * nearest).abs() <= 8);
             assert_eq!(shift_half_even(-value, 4), -nearest);
             assert_eq!(shift_half_even(value + 32, 4), nearest + 2);
-            assert_eq!(divide_half_even(value.into(), 16), nearest.into());
-            let vertex = FinePoint::from_bits(i32::try_from(value).unwrap(), 0).to_vertex();
+            assert_eq!(divide_half_even(value.into(), 16), i128::from(nearest));
+            let vertex = FinePoint::clamped(value, 0).to_vertex();
             assert_eq!(i64::from(vertex.x.to_bits()), nearest);
         }
         assert_eq!(divide_half_even(7, 0), 0);

@@ -2,8 +2,10 @@
 
 use core::ops::Range;
 
+use fixed::types::I24F8;
+
 use crate::{
-    I24F8, PixelRect, Vertex,
+    PixelRect, Vertex,
     primitive::rows::{centre_of, centres, root_below, send_rows},
     span::RowSink,
 };
@@ -120,7 +122,7 @@ impl CircleOutline {
     }
 }
 
-impl crate::Shape for CircleOutline {
+impl crate::shape::Shape for CircleOutline {
     fn bounds(&self) -> PixelRect {
         self.pixel_bounds()
     }

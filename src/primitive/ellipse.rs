@@ -12,8 +12,10 @@
 
 use core::ops::Range;
 
+use fixed::types::I24F8;
+
 use crate::{
-    Angle, I24F8, PixelRect, Vertex,
+    Angle, PixelRect, Vertex,
     outline::{Curve, CurveSink, Curves, FinePoint, Vector, shift_half_even},
     path::Transform,
     primitive::rows::{TURN, centre_of, centres, root_below, send_rows, shape_by_rows},

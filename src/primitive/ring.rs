@@ -2,8 +2,10 @@
 
 use core::ops::Range;
 
+use fixed::types::I24F8;
+
 use crate::{
-    I24F8, PixelRect, Vertex,
+    PixelRect, Vertex,
     outline::{CurveSink, Curves},
     primitive::rows::{centre_of, centres, root_below, send_rows, shape_by_rows, trace_circle},
     span::RowSink,

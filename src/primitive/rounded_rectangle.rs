@@ -2,6 +2,8 @@
 
 use core::ops::Range;
 
+use fixed::types::I24F8;
+
 use crate::{
     Angle, PixelRect, Vertex,
     outline::{Curve, CurveSink, Curves, FinePoint, Vector},
@@ -73,7 +75,7 @@ impl Corner {
 
 impl RoundedRectangle {
     /// All corners with the same radius.
-    pub const fn new(rectangle: Rectangle, radius: crate::I24F8) -> Self {
+    pub const fn new(rectangle: Rectangle, radius: I24F8) -> Self {
         Self { rectangle, radii: [Vertex { x: radius, y: radius }; 4] }
     }
 
@@ -109,7 +111,7 @@ impl RoundedRectangle {
     }
 
     fn pixel_bounds(&self) -> PixelRect {
-        crate::Shape::bounds(&self.rectangle)
+        crate::shape::Shape::bounds(&self.rectangle)
     }
 
     fn columns(&self, corners: &[Corner; 4], row: i32) -> Range<i32> {

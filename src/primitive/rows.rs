@@ -65,7 +65,7 @@ pub(super) fn send_rows<const N: usize, R: RowSink>(
 /// Implements `Shape` by a function that sends rows.
 macro_rules! shape_by_rows {
     ($shape:ty) => {
-        impl $crate::Shape for $shape {
+        impl $crate::shape::Shape for $shape {
             fn bounds(&self) -> $crate::PixelRect {
                 self.pixel_bounds()
             }

@@ -5,8 +5,10 @@
 
 use core::ops::Range;
 
+use fixed::types::I24F8;
+
 use crate::{
-    Angle, I24F8, PixelRect, Vertex,
+    Angle, PixelRect, Vertex,
     outline::{Curve, CurveSink, Curves, FinePoint, Vector},
     primitive::{
         ring::Ring,

@@ -3,9 +3,10 @@
 use core::ops::Range;
 
 use crate::{
-    BlockSink, Line, PixelRect, Shape as _, Vertex,
+    BlockSink, Line, PixelRect, Vertex,
     outline::{CurveSink, Curves, FinePoint, Vector, clamp_fine},
     primitive::rows::{send_rows, shape_by_rows},
+    shape::Shape as _,
     span::RowSink,
 };
 

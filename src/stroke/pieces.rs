@@ -194,7 +194,7 @@ impl<'s, S: OutlineSink> Pieces<'s, S> {
                 // A limit of exactly 1 holds where there is no corner only.
                 if is_within {
                     let part = |part: i64| {
-                        let product = i128::from(part) * i128::from(2 * self.radius) << UNIT_BITS;
+                        let product = (i128::from(part) * i128::from(2 * self.radius)) << UNIT_BITS;
                         // At most the radius times the limit, or that of a root of a unit.
                         let tip = crate::outline::divide_half_even(product, square.cast_signed());
                         i64::try_from(tip).unwrap_or(if tip < 0 { i64::MIN / 4 } else { i64::MAX / 4 })
