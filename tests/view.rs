@@ -23,7 +23,7 @@ fn display() -> MockDisplay<Gray8> {
 
 #[test]
 fn views_are_what_the_adapters_are() {
-    let areas = [(2, 1, 6, 5), (0, 0, 64, 64), (60, 60, 10, 10), (-4, -4, 9, 9), (100, 3, 4, 4), (5, 5, 0, 3)];
+    let areas = [(2, 1, 6, 5), (0, 0, 64, 64), (60, 60, 10, 10), (-4, -4, 9, 9), (100, 3, 4, 4)];
     for (x, y, width, height) in areas {
         let area = Rectangle::new(Point::new(x, y), Size::new(width, height));
         let (mut a, mut b) = (display(), display());
