@@ -24,7 +24,8 @@ fn svg(data: &str) -> Vec<spanfill::Element> {
     SvgElements::new(data, 1, 1).map(Result::unwrap).collect()
 }
 
-/// The areas of the pixels of a square, in 255ths, from what each scan line has inside: so many lines a pixel, exact along each.
+/// The areas of the pixels of a square, in 255ths, from what each scan line has inside: so many lines a pixel, exact
+/// along each.
 fn areas(lines: u32, mut intervals: impl FnMut(f64) -> Vec<(f64, f64)>) -> Vec<f64> {
     let mut areas = vec![0.0; (SIZE * SIZE) as usize];
     for line in 0..SIZE.unsigned_abs() * lines {
@@ -78,8 +79,8 @@ fn inside(contours: &[Vec<(f64, f64)>], y: f64) -> Vec<(f64, f64)> {
     inside
 }
 
-/// The outline's own part of what coverage may be off by is less than a tenth of a level, of its points as they are; and with them rounded to
-/// vertices, and coverage to levels, it is off by at most 1 and 0.5 more.
+/// The outline's own part of what coverage may be off by is less than a tenth of a level, of its points as they are;
+/// and with them rounded to vertices, and coverage to levels, it is off by at most 1 and 0.5 more.
 fn check(outline: &impl Outline, what: &str, truth: impl Fn(f64) -> Vec<(f64, f64)>) {
     let mut contours = Contours::default();
     outline.emit(&mut contours);

@@ -111,7 +111,8 @@ fn near(found: FinePoint, expected: Point) -> bool {
 fn check(data: &str) -> Result<(), String> {
     let found: Vec<_> = SvgElements::new(data, 1, 1).collect();
     let expected: Vec<_> = PathParser::from(data).collect();
-    // `svgtypes` lets a comma stand before a command and at the end, which the grammar does not, and has an end of numbers.
+    // `svgtypes` lets a comma stand before a command and at the end, which the grammar does not, and has an end of
+    // numbers.
     let has_stray_comma = data.split(',').skip(1).any(|after| !after.trim_start().starts_with(is_of_a_number));
     let has_huge_number = expected.iter().any(|segment| matches!(segment, Err(svgtypes::Error::InvalidNumber(_))));
     let is_alike = found.iter().any(Result::is_err) == expected.iter().any(Result::is_err);

@@ -1,4 +1,5 @@
-//! Shapes of curves without anti-aliasing, pixel by pixel against what each says of itself; and their outlines against their areas.
+//! Shapes of curves without anti-aliasing, pixel by pixel against what each says of itself; and their outlines against
+//! their areas.
 
 mod oracle;
 
@@ -16,7 +17,8 @@ fn window() -> PixelRect {
     rect(-2..WINDOW, -2..WINDOW)
 }
 
-/// Every pixel of the window, in spans, in blocks and in four tiles, is what `belongs` says of its centre; where that has no opinion, either.
+/// Every pixel of the window, in spans, in blocks and in four tiles, is what `belongs` says of its centre; where that
+/// has no opinion, either.
 fn check(shape: &impl Shape, what: &str, belongs: impl Fn(i64, i64) -> Option<bool>) {
     let window = window();
     let drawn = span_pixels(shape, &window);

@@ -1,5 +1,5 @@
-//! Strokes against what a pen covers: the distance to the path, with the ends and corners of SVG 2, worked out in floating point
-//! with nothing in common with `src/`.
+//! Strokes against what a pen covers: the distance to the path, with the ends and corners of SVG 2, worked out in
+//! floating point with nothing in common with `src/`.
 
 use std::f64::consts::{PI, TAU};
 
@@ -63,7 +63,8 @@ fn unit(a: Point) -> Point {
     (a.0 / length, a.1 / length)
 }
 
-/// The signed distance from the boundary of the pen's trace, negative inside; the largest of what a union's parts allow.
+/// The signed distance from the boundary of the pen's trace, negative inside; the largest of what a union's parts
+/// allow.
 struct Trace {
     points: Vec<Point>,
     is_closed: bool,
@@ -279,9 +280,9 @@ fn cubic(c: [Point; 4], t: f64) -> (Point, Point) {
     ((x, y), (dx, dy))
 }
 
-/// The signed distance from what a segment of twice the radius covers that sweeps along a curve, finely sampled: a point is covered
-/// where it lies on the normal of some point of the curve, at most the radius away. Between two samples its place along the
-/// direction changes its sign.
+/// The signed distance from what a segment of twice the radius covers that sweeps along a curve, finely sampled: a
+/// point is covered where it lies on the normal of some point of the curve, at most the radius away. Between two
+/// samples its place along the direction changes its sign.
 fn swept(at: &impl Fn(f64) -> (Point, Point), steps: usize, radius: f64, p: Point) -> bool {
     let mut last: Option<(f64, Point, f64)> = None;
     for step in 0..=steps {

@@ -1,8 +1,9 @@
 //! Sectors: circles cut by the wedge of the sweep, with a stroke along the arc and both straight sides.
 //!
 //! The straight sides of the stroke run through the middles of pixels: the stroke begins half a pixel outside of the
-//! angle. Below 55 and above 305 degrees its corner is cut off square. Blended without a stroke, a sector is exactly what lies
-//! within its angle, so that sectors which follow each other add up to the circle; one of no angle is nothing.
+//! angle. Below 55 and above 305 degrees its corner is cut off square. Blended without a stroke, a sector is exactly
+//! what lies within its angle, so that sectors which follow each other add up to the circle; one of no angle is
+//! nothing.
 
 use embedded_graphics::{geometry::Angle, primitives::Sector};
 use embedded_graphics_core::{draw_target::DrawTarget, primitives::Rectangle};

@@ -74,8 +74,8 @@ impl Sides {
 }
 
 impl Sides {
-    /// Of a blended stroke, which has no need of whole pixels: in the middle, its sides are as far from the line as each other, whichever
-    /// way that goes.
+    /// Of a blended stroke, which has no need of whole pixels: in the middle, its sides are as far from the line as
+    /// each other, whichever way that goes.
     pub(super) fn blended(stroke: &Stroke) -> Self {
         let sides = Self::new(stroke);
         if stroke.is_centered() {

@@ -109,7 +109,8 @@ where
     draw_layers(&paint, blended, target, &bounds, add_areas, |_, _| {})
 }
 
-/// As many areas as are added up by the non-zero rule; of more near one tile, some may be covered twice where they overlap.
+/// As many areas as are added up by the non-zero rule; of more near one tile, some may be covered twice where they
+/// overlap.
 const TOGETHER: usize = 24;
 
 /// Areas of three or four corners near a tile, wound alike.

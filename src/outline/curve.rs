@@ -13,9 +13,9 @@
 //!
 //! An edge that is moved by `d` changes a pixel's coverage by at most `361 d` 255ths. Between the chords' ends the
 //! deviation runs from 2/3 of the sagitta `s` outside to 1/3 inside; what a pixel cuts out of that adds up to at most
-//! `0.13 s l` for chords of length `l`, and to `s l / 3` where a curve begins or ends, on its exact end: below 0.1 of 255
-//! for `s` of 1/1024 and radii up to 200 pixels. Rounding to 1/4096 pixel is 0.03 at most of that. The constant is 11/16 in
-//! place of 2/3, so that all is exact in binary.
+//! `0.13 s l` for chords of length `l`, and to `s l / 3` where a curve begins or ends, on its exact end: below 0.1 of
+//! 255 for `s` of 1/1024 and radii up to 200 pixels. Rounding to 1/4096 pixel is 0.03 at most of that. The constant is
+//! 11/16 in place of 2/3, so that all is exact in binary.
 
 use crate::{
     Angle,
@@ -38,8 +38,8 @@ const MOST_CHORDS: u32 = 1 << 14;
 ///
 /// # Cost
 ///
-/// Polynomials: three additions, a shift and a rounding a point and axis. Arcs: a sine and cosine, four multiplications and a
-/// division a point.
+/// Polynomials: three additions, a shift and a rounding a point and axis. Arcs: a sine and cosine, four
+/// multiplications and a division a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Curve {
     from: FinePoint,
@@ -54,6 +54,9 @@ enum Kind {
     /// `center + u cos + v sin` over a sweep that starts somewhere, in 2^-32 turns; walked from its end, perhaps.
     Ellipse { center: FinePoint, u: Vector, v: Vector, start: Angle, sweep: i64, chords: u32, is_reversed: bool },
 }
+
+// What `outline` says of it.
+const _: () = assert!(size_of::<Curve>() < 100);
 
 /// The least `k` for which `4^k` chords squared are enough: `deviation / 4^k` is within the tolerance.
 const fn log_chords(deviation: u64) -> u32 {
@@ -82,8 +85,8 @@ impl Curve {
     }
 
     fn polynomial(from: FinePoint, to: FinePoint, [c1, c2, c3]: [Vector; 3], deviation: u64) -> Self {
-        // Values at the points, times 2^(3 log), and six bits more for moving them out, fit 63 bits. No point is further
-        // from the start than this.
+        // Values at the points, times 2^(3 log), and six bits more for moving them out, fit 63 bits. No point is
+        // further from the start than this.
         let size = c1.length_at_most() + c2.length_at_most() + c3.length_at_most() + 1;
         let bits = u64::BITS - size.leading_zeros();
         let log_chords = log_chords(deviation).min(62_u32.saturating_sub(6 + bits) / 3);
@@ -103,7 +106,8 @@ impl Curve {
         // Half the sum and the difference of these are the half axes.
         let (turning, mirroring) = (Vector::new(u.x + v.y, u.y - v.x), Vector::new(u.x - v.y, u.y + v.x));
         let longest = (turning.length_at_most() + mirroring.length_at_most()) >> (AXIS_BITS + 1);
-        // Chords of the angle a with r a^2 / 8 <= tolerance: a turn of 2 pi over sqrt(8 tolerance / r). 1609 is 256 * 2 pi.
+        // Chords of the angle a with r a^2 / 8 <= tolerance: a turn of 2 pi over sqrt(8 tolerance / r). 1609 is 256 *
+        // 2 pi.
         let root = (longest << 11).min(1 << 60).isqrt() + 1;
         let sweep = sweep.clamp(-(1 << 32), 1 << 32);
         let chords = ((u128::from(sweep.unsigned_abs()) * u128::from(root) * 1609) >> 48) + 1;
@@ -227,7 +231,8 @@ impl Curve {
         candidates.into_iter().find(|candidate| !candidate.is_zero())
     }
 
-    /// The direction in which it goes after `index` chords and a part of the next, in 1/65536; or none at all, in a cusp.
+    /// The direction in which it goes after `index` chords and a part of the next, in 1/65536; or none at all, in a
+    /// cusp.
     pub(crate) fn direction(&self, index: u32, part: u32) -> Vector {
         let position = (i64::from(index) << 16) + i64::from(part);
         match self.kind {
@@ -242,7 +247,7 @@ impl Curve {
             }
             Kind::Ellipse { u, v, start, sweep, chords, is_reversed, .. } => {
                 let position = if is_reversed { (i64::from(chords) << 16) - position } else { position };
-                let swept = i128::from(sweep) * i128::from(position) / (i128::from(chords.max(1)) << 16);
+                let swept = (i128::from(sweep) * i128::from(position) / i128::from(chords.max(1))) >> 16;
                 #[allow(clippy::cast_possible_truncation, reason = "at most the sweep")]
                 let (sin, cos) = (start + Angle::from_bits(low_word(swept as i64))).sin_cos();
                 let (sin, cos) = (i64::from(sin), i64::from(cos));
@@ -319,7 +324,8 @@ struct Differences {
 }
 
 impl Differences {
-    /// `64 n^3 (c1 t + c2 t^2 + c3 t^3 - 11/64 (c2 + 3 c3 t) / n^2)` at `t = i / n`: the last part is 11/16 of `h^2 B'' / 8`.
+    /// `64 n^3 (c1 t + c2 t^2 + c3 t^3 - 11/64 (c2 + 3 c3 t) / n^2)` at `t = i / n`: the last part is 11/16 of `h^2
+    /// B'' / 8`.
     fn new([c1, c2, c3]: [i64; 3], log: u32, index: u32) -> Self {
         let shifted = |value: i64, bits: u32| value.wrapping_shl(bits);
         // As a i^3 + b i^2 + c i + d.

@@ -7,12 +7,12 @@
 //!
 //! # Why they push
 //!
-//! An [`Outline`] pushes its points into a sink, from the start, as often as it is asked: the walk is a plain loop whose
-//! state is in registers and on the stack, and ends with it. A cursor that is pulled would have to carry the state of a
-//! path, a dash, a join and a curve in each of its copies (some 300 bytes for a dashed stroke), so an edge table that
-//! keeps a cursor for each active chain would need more memory than one that keeps the edges. What a table may want to
-//! keep instead of points are *curves*: [`OutlineSink::curve`] hands over a [`Curve`], 96 bytes that can be
-//! walked again, from either end, to the same points. A sink that does not care gets its points.
+//! An [`Outline`] pushes its points into a sink, from the start, as often as it is asked: the walk is a plain loop
+//! whose state is in registers and on the stack, and ends with it. A cursor that is pulled would have to carry the
+//! state of a path, a dash, a join and a curve in each of its copies (some 300 bytes for a dashed stroke), so an edge
+//! table that keeps a cursor for each active chain would need more memory than one that keeps the edges. What a table
+//! may want to keep instead of points are *curves*: [`OutlineSink::curve`] hands over a [`Curve`], less than 100 bytes
+//! that can be walked again, from either end, to the same points. A sink that does not care gets its points.
 //!
 //! What it costs: who needs an outline in bands of rows walks it once for each, and skips what lies outside by the
 //! [extent](Outline::extent) of the whole and the [hull](Curve::rows) of each curve.
@@ -106,8 +106,8 @@ impl<O: Outline> Outline for &O {
 
 /// Lines and curves, open or closed: what can be filled and stroked.
 pub trait Curves {
-    /// Tells the sink each subpath in order: its start, its lines and curves, and whether it is closed. Starts afresh at
-    /// each call.
+    /// Tells the sink each subpath in order: its start, its lines and curves, and whether it is closed. Starts afresh
+    /// at each call.
     fn trace<S: CurveSink>(&self, sink: &mut S);
 
     /// The inside, by whichever rule it is drawn: open subpaths are closed by a line.

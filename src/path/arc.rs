@@ -76,7 +76,7 @@ impl Ends {
         } else {
             // (a, b) becomes a unit vector by the growth of the radii.
             let grown = [((rx * h) >> UNIT_BITS) << lost, ((ry * h) >> UNIT_BITS) << lost];
-            let h = if h == 0 { 1 } else { h };
+            let h = if h <= 0 { 1 } else { h };
             (a, b) = ((a << UNIT_BITS) / h, (b << UNIT_BITS) / h);
             (grown[0], grown[1], 0, 0)
         };

@@ -45,9 +45,12 @@ pub struct ArcTo {
     pub to: FinePoint,
 }
 
+// What `Path` says of it.
+const _: () = assert!(size_of::<Element>() == 40);
+
 impl Element {
-    /// An arc as SVG describes it: from one point to another, by its radii, by how much its axes are turned, and which of
-    /// four arcs it is. Radii that are too small are enlarged; without one, or without a distance, it is a line.
+    /// An arc as SVG describes it: from one point to another, by its radii, by how much its axes are turned, and which
+    /// of four arcs it is. Radii that are too small are enlarged; without one, or without a distance, it is a line.
     ///
     /// ```text
     ///        .--- large, clockwise
@@ -57,8 +60,8 @@ impl Element {
     ///          `--- small, clockwise
     /// ```
     ///
-    /// The centre of a half circle depends on its ends very much: where they are not exact to start with, as for numbers
-    /// in a file, scale them before they are rounded, as [`path!`](crate::path!) does.
+    /// The centre of a half circle depends on its ends very much: where they are not exact to start with, as for
+    /// numbers in a file, scale them before they are rounded, as [`path!`](crate::path!) does.
     pub const fn arc(
         from: FinePoint,
         radii: FinePoint,

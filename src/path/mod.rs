@@ -25,7 +25,7 @@ use crate::outline::{Curve, CurveSink, Curves, FinePoint, Outline, OutlineSink};
 ///
 /// # Cost
 ///
-/// 44 bytes an element, in flash.
+/// 40 bytes an element, in flash.
 ///
 /// # Examples
 ///

@@ -19,7 +19,8 @@ const MOST: i64 = 1 << 60;
 
 /// A number at the start of `text`, to the nearest 2^-32 after scaling, and what follows it. None where there is none.
 ///
-/// `[+-]? (digits [. digits?] | . digits) ([eE] [+-]? digits)?`, as SVG 1.1 and CSS have it. `1.` is taken as well, as viewers do.
+/// `[+-]? (digits [. digits?] | . digits) ([eE] [+-]? digits)?`, as SVG 1.1 and CSS have it. `1.` is taken as well, as
+/// viewers do.
 pub(super) const fn number(text: &[u8], scale: Scale) -> Option<(i64, &[u8])> {
     let (is_negative, mut rest) = sign(text);
     let (mut mantissa, mut exponent) = (0_u64, 0_i32);
@@ -82,7 +83,7 @@ const fn scaled(mantissa: u64, exponent: i32, scale: Scale) -> i64 {
     let mut divisor = if scale.denominator == 0 { 1 } else { scale.denominator as u128 };
     let mut exponent = exponent;
     while exponent > 0 && value != 0 {
-        if value / divisor >= MOST.cast_unsigned() as u128 {
+        if quotient(value, divisor) >= MOST.cast_unsigned() as u128 {
             return MOST;
         }
         // Below 2^60 divisor, which is below 2^32: 2^92.
@@ -97,8 +98,16 @@ const fn scaled(mantissa: u64, exponent: i32, scale: Scale) -> i64 {
         divisor *= 10;
         exponent += 1;
     }
-    let nearest = (value + divisor / 2) / divisor;
+    let nearest = quotient(value + divisor / 2, divisor);
     #[allow(clippy::cast_possible_truncation, reason = "compared with MOST")]
     let nearest = if nearest > MOST.cast_unsigned() as u128 { MOST } else { nearest as i64 };
     nearest
+}
+
+/// There is always a divisor.
+const fn quotient(value: u128, divisor: u128) -> u128 {
+    match value.checked_div(divisor) {
+        Some(quotient) => quotient,
+        None => 0,
+    }
 }

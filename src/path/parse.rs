@@ -1,8 +1,8 @@
 //! SVG path data into elements, when the program is compiled or when it runs.
 //!
-//! The grammar is that of SVG 1.1 and SVG 2 (section 9.3.9), as viewers read it: commands in both cases, repeated without their
-//! letter, numbers that need nothing between them where they cannot be misread (`.5.5`, `1-2`), flags of arcs that need
-//! nothing ever (`a1 1 0 01.5 2`).
+//! The grammar is that of SVG 1.1 and SVG 2 (section 9.3.9), as viewers read it: commands in both cases, repeated
+//! without their letter, numbers that need nothing between them where they cannot be misread (`.5.5`, `1-2`), flags of
+//! arcs that need nothing ever (`a1 1 0 01.5 2`).
 
 use core::fmt;
 
@@ -119,8 +119,8 @@ impl Path<'_> {
 
 /// A [`Path`](crate::Path) from SVG path data, made when the program is compiled. What is wrong does not compile.
 ///
-/// A unit is a pixel, or a fraction of one that is given after the data: `path!(DATA, 2, 3)` makes an icon of 24 units 16
-/// pixels large. Numbers are rounded to 1/4096 pixel once, after that.
+/// A unit is a pixel, or a fraction of one that is given after the data: `path!(DATA, 2, 3)` makes an icon of 24 units
+/// 16 pixels large. Numbers are rounded to 1/4096 pixel once, after that.
 ///
 /// # Examples
 ///

@@ -10,7 +10,8 @@ const FACTOR_BITS: u32 = 16;
 
 /// An affine transform: a point (x, y) goes to `(xx x + xy y, yx x + yy y) + by`.
 ///
-/// Factors are in 1/65536, -32768 to 32767.99998. Points are rounded once to 1/4096 pixel; those that leave the range saturate.
+/// Factors are in 1/65536, -32768 to 32767.99998. Points are rounded once to 1/4096 pixel; those that leave the range
+/// saturate.
 ///
 /// # Examples
 ///

@@ -12,9 +12,9 @@ use crate::{
 
 /// The outline of a circle, one pixel wide, with its centre and radius in 1/256 pixel.
 ///
-/// Where the circle is flatter than a diagonal it has, in each column, the pixel that the circle crosses the middle of the column in; where it is steeper, in each row. A
-/// crossing just between two pixels belongs to the inner one. Each pixel comes once; pixels touch at least
-/// by a corner. A radius of zero or less draws nothing.
+/// Where the circle is flatter than a diagonal it has, in each column, the pixel that the circle crosses the middle of
+/// the column in; where it is steeper, in each row. A crossing just between two pixels belongs to the inner one. Each
+/// pixel comes once; pixels touch at least by a corner. A radius of zero or less draws nothing.
 ///
 /// ```text
 ///     . . # # # . .
@@ -67,8 +67,8 @@ impl CircleOutline {
 
     /// The flat parts of a row and the steep one, each left and right.
     ///
-    /// With `s` the circle's height over the middle of a column, a flat pixel at height `t` has `t - 128 < s <= t + 128`, and
-    /// is at least as high as far from the middle; so has a steep one with both exchanged.
+    /// With `s` the circle's height over the middle of a column, a flat pixel at height `t` has `t - 128 < s <= t +
+    /// 128`, and is at least as high as far from the middle; so has a steep one with both exchanged.
     fn columns(&self, row: i32) -> [Range<i32>; 4] {
         let (x, radius) = (i64::from(self.center.x.to_bits()), i64::from(self.radius.to_bits()));
         let height = (centre_of(row) - i64::from(self.center.y.to_bits())).abs();
@@ -82,7 +82,8 @@ impl CircleOutline {
             Some(far) if near <= far => (centres(x - far..x - near + 1), centres(x + near..x + far + 1)),
             _ => (0..0, 0..0),
         };
-        // The pixels whose middle is nearest to the circle, the outer one where it is half way, in columns as far as high.
+        // The pixels whose middle is nearest to the circle, the outer one where it is half way, in columns as far as
+        // high.
         let (mut steep_left, mut steep_right) = (0..0, 0..0);
         if let Some(wide) = root_below(less(height) + 1).filter(|_| height <= radius) {
             // t - 128 < s <= t + 128 for s the root itself, of which `wide` is the whole part: columns from s - 128 up.

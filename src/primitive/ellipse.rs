@@ -7,8 +7,8 @@
 //!     H x^2 - 2 B x y + A y^2 < D^2,               H = uy^2 + vy^2, B = ux uy + vx vy, A = ux^2 + vx^2,
 //! ```
 //!
-//! so a row `y` has the columns within `D sqrt(H - y^2) / H` of `B y / H`. Those are worked out to within a unit, and then the
-//! first inequality decides of the pixels at both ends.
+//! so a row `y` has the columns within `D sqrt(H - y^2) / H` of `B y / H`. Those are worked out to within a unit, and
+//! then the first inequality decides of the pixels at both ends.
 
 use core::ops::Range;
 
@@ -24,8 +24,8 @@ use crate::{
 
 /// A filled ellipse with its centre and radii in 1/256 pixel, turned by an angle.
 ///
-/// Radii of zero or less draw nothing; 131072 pixels are the most. Half axes are rounded to 1/4096 pixel once they are turned; of
-/// that ellipse, a pixel belongs to it when its centre lies inside, exactly.
+/// Radii of zero or less draw nothing; 131072 pixels are the most. Half axes are rounded to 1/4096 pixel once they are
+/// turned; of that ellipse, a pixel belongs to it when its centre lies inside, exactly.
 ///
 /// ```text
 ///     . . # # .
@@ -87,13 +87,14 @@ impl Form {
     fn columns(&self, row: i32) -> Range<i32> {
         let y = 16 * centre_of(row) - self.center.y;
         let rest = self.h - i128::from(y) * i128::from(y);
-        if rest <= 0 || self.h == 0 {
+        if rest <= 0 {
             return 0..0;
         }
         // `rest` is at most 2^60.
         let root = (rest << 60).cast_unsigned().isqrt().cast_signed();
-        let half = (self.d.abs() * root / self.h) >> 30;
-        let middle = (self.b * i128::from(y)).div_euclid(self.h);
+        // Positive: the height's square.
+        let half = (self.d.abs() * root).checked_div(self.h).unwrap_or(0) >> 30;
+        let middle = (self.b * i128::from(y)).checked_div_euclid(self.h).unwrap_or(0);
         let position = |offset: i128| {
             let x = i64::try_from(middle + offset).unwrap_or(0) + self.center.x;
             // In 1/256 pixel, outwards by less than two of them.

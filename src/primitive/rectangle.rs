@@ -9,8 +9,8 @@ use crate::{
 
 /// An upright rectangle with its sides in 1/256 pixel.
 ///
-/// Every coordinate is legal. A pixel belongs to it when its centre does, and centres on its left and upper side do: rectangles
-/// that share a side share no pixel, and leave none out.
+/// Every coordinate is legal. A pixel belongs to it when its centre does, and centres on its left and upper side do:
+/// rectangles that share a side share no pixel, and leave none out.
 ///
 /// # Cost
 ///

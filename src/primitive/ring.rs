@@ -13,8 +13,8 @@ use crate::{
 
 /// What lies between two circles of one centre, with centre and radii in 1/256 pixel.
 ///
-/// A pixel belongs to it when its centre is nearer than the outer radius and not nearer than the inner: rings whose radii meet share no pixel and leave
-/// none out, and one of no inner radius is a [`Circle`](crate::Circle).
+/// A pixel belongs to it when its centre is nearer than the outer radius and not nearer than the inner: rings whose
+/// radii meet share no pixel and leave none out, and one of no inner radius is a [`Circle`](crate::Circle).
 ///
 /// # Cost
 ///

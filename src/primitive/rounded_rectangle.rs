@@ -16,9 +16,9 @@ use crate::{
 
 /// A rectangle whose corners are quarters of ellipses.
 ///
-/// Radii are in 1/256 pixel, of each corner along x and y, clockwise from the upper left; negative ones are none. Where those of
-/// one side are together longer than the side, all are reduced by the same factor, as CSS has it. A pixel belongs to it when
-/// its centre does: as for [`Rectangle`], and in the corners as for an ellipse, exactly.
+/// Radii are in 1/256 pixel, of each corner along x and y, clockwise from the upper left; negative ones are none.
+/// Where those of one side are together longer than the side, all are reduced by the same factor, as CSS has it. A
+/// pixel belongs to it when its centre does: as for [`Rectangle`], and in the corners as for an ellipse, exactly.
 ///
 /// ```text
 ///     . # # # # #

@@ -1,7 +1,8 @@
 //! Sectors of discs and of rings: pies, gauges.
 //!
-//! A sector is cut out by two rays. A centre belongs to the side after a ray that it lies on, so sectors that share a ray share no
-//! pixel and leave none out. The rays' directions are sine and cosine in 2^-30; from there on everything is exact.
+//! A sector is cut out by two rays. A centre belongs to the side after a ray that it lies on, so sectors that share a
+//! ray share no pixel and leave none out. The rays' directions are sine and cosine in 2^-30; from there on everything
+//! is exact.
 
 use core::ops::Range;
 
@@ -111,9 +112,9 @@ fn complement(range: &Range<i32>) -> [Range<i32>; 2] {
 /// A sector of a disc: a piece of pie.
 ///
 /// It goes from an angle clockwise, by less than a whole turn; a sweep of 0 is nothing, and a whole turn is a
-/// [`Circle`](crate::Circle). A pixel belongs to it when its centre is nearer to the middle than the radius, and not before the first ray and before the last:
-/// sectors that
-/// follow each other share no pixel and leave none out. The tip itself belongs to the sector that looks to the right.
+/// [`Circle`](crate::Circle). A pixel belongs to it when its centre is nearer to the middle than the radius, and not
+/// before the first ray and before the last: sectors that follow each other share no pixel and leave none out. The tip
+/// itself belongs to the sector that looks to the right.
 ///
 /// # Cost
 ///

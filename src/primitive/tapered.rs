@@ -18,9 +18,9 @@ use crate::{
 ///       '-----´´´´
 /// ```
 ///
-/// A pixel belongs to it when its centre does, to 1/256 pixel. Where it is thinner than a pixel, that leaves gaps: the centres of a row
-/// may all miss it. [`connected`](Self::connected) adds the pixels of its middle line, as [`Line`] has them, and so
-/// keeps it in one piece at every angle.
+/// A pixel belongs to it when its centre does, to 1/256 pixel. Where it is thinner than a pixel, that leaves gaps: the
+/// centres of a row may all miss it. [`connected`](Self::connected) adds the pixels of its middle line, as [`Line`]
+/// has them, and so keeps it in one piece at every angle.
 ///
 /// # Cost
 ///
@@ -109,7 +109,8 @@ impl TaperedLine {
         let polygon = crate::Polygon::new(&corners).with_capacity::<4>();
         send_rows(&self.pixel_bounds(), clip, sink, |row| {
             let clip = PixelRect { rows: row..row + 1, columns: clip.columns.clone() };
-            // Both have one span a row, and these touch: the middle line's pixel is the one nearest to where the sides go by.
+            // Both have one span a row, and these touch: the middle line's pixel is the one nearest to where the sides
+            // go by.
             let mut around = Around(0..0);
             if let Ok(polygon) = &polygon {
                 let Ok(()) = polygon.blocks(&clip, &mut around);

@@ -1,8 +1,9 @@
 //! Dashes: a path in pieces of given lengths.
 //!
-//! Lengths are in 1/65536 pixel; that of a line is a root, off by less than one, so after `k` lines a dash is off by `k`
-//! of them. The place in the pattern is an integer in those units, never a quotient. Curves are cut into four times as many
-//! chords as otherwise, whose lengths are within 2^-18 of the arcs'; caps lie across the curve itself, not its chord.
+//! Lengths are in 1/65536 pixel; that of a line is a root, off by less than one, so after `k` lines a dash is off by
+//! `k` of them. The place in the pattern is an integer in those units, never a quotient. Curves are cut into four
+//! times as many chords as otherwise, whose lengths are within 2^-18 of the arcs'; caps lie across the curve itself,
+//! not its chord.
 
 use crate::{
     outline::{Curve, CurveSink, FinePoint, OutlineSink, Vector},

@@ -11,11 +11,12 @@ const TOLERANCE: i64 = 4;
 /// An arc is halved so often at most: 2048 chords are enough for half a turn at a radius of 60,000 pixels.
 const MOST_HALVINGS: u32 = 11;
 
-/// The points of the arc around `center` between two directions, both left out: anticlockwise (as y grows downwards), by
-/// at most half a turn.
+/// The points of the arc around `center` between two directions, both left out: anticlockwise (as y grows downwards),
+/// by at most half a turn.
 ///
-/// By halving: the direction between two is that of their sum, or, where they are more than a quarter apart, across their
-/// difference. Points are moved out by 11/16 of the sagitta, so that chords keep the arc's area (see `outline::Curve`).
+/// By halving: the direction between two is that of their sum, or, where they are more than a quarter apart, across
+/// their difference. Points are moved out by 11/16 of the sagitta, so that chords keep the arc's area (see
+/// `outline::Curve`).
 ///
 /// The square of the chord of the unit circle, `d`, becomes `d / (2 + 2 sqrt(1 - d/4))` when its arc is halved, and the
 /// sagitta is `r d / 8`, to less than a tenth once `d < 1`.

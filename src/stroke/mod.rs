@@ -24,15 +24,17 @@ use crate::outline::{Curves, Outline, OutlineSink};
 
 /// The stroke of a path or shape: an [`Outline`], to be filled by the non-zero rule.
 ///
-/// Conventions are those of SVG 2: beyond its limit a miter becomes a bevel; dashes start anew in each subpath, and one of a
-/// closed contour starts at its first vertex and does not join over it; a subpath of no length is a dot for round
-/// caps, an upright square for square ones, and nothing for butt; where a path turns back on itself, there is no miter and no bevel.
+/// Conventions are those of SVG 2: beyond its limit a miter becomes a bevel; dashes start anew in each subpath, and
+/// one of a closed contour starts at its first vertex and does not join over it; a subpath of no length is a dot for
+/// round caps, an upright square for square ones, and nothing for butt; where a path turns back on itself, there is no
+/// miter and no bevel.
 ///
 /// The same whichever way it is drawn, and symmetric about its line. Coverage is within 0.6 of 255 of the true area.
 ///
 /// # Cost
 ///
-/// A line: a square root, two divisions and six edges with its corner. A chord of a curve: the same twice, and four edges. Its memory is the stack: some 500 bytes.
+/// A line: a square root, two divisions and six edges with its corner. A chord of a curve: the same twice, and four
+/// edges. Its memory is the stack: a few hundred bytes.
 ///
 /// # Examples
 ///

@@ -10,10 +10,10 @@
 //!      a+n ---------------------- b+n
 //! ```
 //!
-//! A curve is one contour, too: the sum of the rectangles on its chords and of the sectors between them, whose common edges
-//! cancel. What remains of them on the inner side of a turn is a spike from `-n` to the vertex and back to `-n'`,
-//! and where neighbours are longer than they overlap, not even that: the triangle that is lost lies within both.
-//! Where the curve is tighter than the stroke, the spikes make it reach to the evolute.
+//! A curve is one contour, too: the sum of the rectangles on its chords and of the sectors between them, whose common
+//! edges cancel. What remains of them on the inner side of a turn is a spike from `-n` to the vertex and back to
+//! `-n'`, and where neighbours are longer than they overlap, not even that: the triangle that is lost lies within
+//! both. Where the curve is tighter than the stroke, the spikes make it reach to the evolute.
 
 use crate::{
     outline::{Curve, CurveSink, FinePoint, OutlineSink, Vector},
@@ -261,9 +261,10 @@ struct Side {
     length: u64,
 }
 
-/// In place of a length beyond the ends of a curve. The outermost chords are turned from the curve's own direction by a
-/// little, and their corners on the inner side lie behind the cap: a spike would leave them there, without one they are cut
-/// off. Only where a chord is shorter than that, because the curve is tighter than the stroke, is there a spike.
+/// In place of a length beyond the ends of a curve. The outermost chords are turned from the curve's own direction by
+/// a little, and their corners on the inner side lie behind the cap: a spike would leave them there, without one they
+/// are cut off. Only where a chord is shorter than that, because the curve is tighter than the stroke, is there a
+/// spike.
 const END: u64 = u64::MAX;
 
 impl<S: OutlineSink> CurveSink for Pieces<'_, S> {

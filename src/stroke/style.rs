@@ -88,8 +88,8 @@ impl<'d> StrokeStyle<'d> {
         Self { join, ..self }
     }
 
-    /// The same in dashes and gaps of these lengths in turn, in 1/256 pixel; an odd number of them is gone through twice.
-    /// Without any, or where all are 0, it has no gaps. Dashes of no length are dots.
+    /// The same in dashes and gaps of these lengths in turn, in 1/256 pixel; an odd number of them is gone through
+    /// twice. Without any, or where all are 0, it has no gaps. Dashes of no length are dots.
     #[inline]
     #[must_use]
     pub const fn dashes(self, dashes: &'d [u32]) -> Self {

@@ -8,8 +8,9 @@ use embedded_graphics_core::{
     primitives::{PointsIter, Rectangle},
 };
 
-/// A target seen through a window, or from another place, that can be read where the target can: in place of embedded-graphics'
-/// `clipped`, `cropped` and `translated`, which cannot, and so not be blended by [`ReadBack`](crate::ReadBack).
+/// A target seen through a window, or from another place, that can be read where the target can: in place of
+/// embedded-graphics' `clipped`, `cropped` and `translated`, which cannot, and so not be blended by
+/// [`ReadBack`](crate::ReadBack).
 ///
 /// ```text
 ///      target                    clipped           cropped           translated
