@@ -206,6 +206,10 @@ impl Walk {
                 let lines = lines.into_iter().map(Outline::Line);
                 self.items.extend(lines.map(|outline| Item { outline, colour, opacity, clip }));
             }
+            Some(Stroked::Contours(contours)) => {
+                let outline = Outline::filling(contours, spanfill::FillRule::NonZero);
+                self.items.extend(outline.map(|outline| Item { outline, colour, opacity, clip }));
+            }
             Some(Stroked::Outline(outline)) => {
                 let outline = Outline::filling(flatten::flatten(&outline), spanfill::FillRule::NonZero);
                 self.items.extend(outline.map(|outline| Item { outline, colour, opacity, clip }));
