@@ -7,7 +7,9 @@ use embedded_graphics::{
     mock_display::MockDisplay,
     pixelcolor::{BinaryColor, Gray8},
     prelude::*,
-    primitives::{Line, Polyline, Sector, StyledDrawable, Triangle},
+    primitives::{
+        Line, Polyline, PrimitiveStyleBuilder, Rectangle, RoundedRectangle, Sector, StyledDrawable, Triangle,
+    },
 };
 use spanfill::{Over, eg::Style};
 
@@ -148,4 +150,98 @@ fn blended_triangles_have_strokes_evenly_about_their_sides() {
     assert!([127, 128].contains(&column[5]), "{column:?}");
     assert_eq!(column[..5], [0, 128, 255, 255, 255]);
     assert_eq!(column[6], 0);
+}
+
+/// Counts what a display behind a bus would need an address window for.
+struct Windows {
+    size: Size,
+    windows: usize,
+    largest: u32,
+    pixels: Vec<Gray8>,
+}
+
+impl OriginDimensions for Windows {
+    fn size(&self) -> Size {
+        self.size
+    }
+}
+
+impl DrawTarget for Windows {
+    type Color = Gray8;
+    type Error = core::convert::Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Gray8>>>(&mut self, pixels: I) -> Result<(), Self::Error> {
+        for Pixel(Point { x, y }, colour) in pixels {
+            self.windows += 1;
+            self.pixels[(y * self.size.width.cast_signed() + x) as usize] = colour;
+        }
+        Ok(())
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = Gray8>>(
+        &mut self,
+        area: &Rectangle,
+        colours: I,
+    ) -> Result<(), Self::Error> {
+        let before = self.windows;
+        self.draw_iter(area.points().zip(colours).map(|(point, colour)| Pixel(point, colour)))?;
+        self.windows = before + 1;
+        Ok(())
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, colour: Gray8) -> Result<(), Self::Error> {
+        self.largest = self.largest.max(area.size.width * area.size.height);
+        self.fill_contiguous(area, core::iter::repeat(colour))
+    }
+}
+
+fn windows_for<S>(button: &RoundedRectangle, style: &S) -> Windows
+where
+    RoundedRectangle: StyledDrawable<S, Color = Gray8, Output = ()>,
+{
+    let size = Size::new(224, 52);
+    let pixels = vec![Gray8::BLACK; 224 * 52];
+    let mut target = Windows { size, windows: 0, largest: 0, pixels };
+    let Ok(()) = button.draw_styled(style, &mut target);
+    target
+}
+
+#[test]
+fn the_inside_of_a_rounded_button_is_one_fill() {
+    let button = Rectangle::new(Point::new(2, 2), Size::new(220, 48));
+    for radius in [3, 8, 16] {
+        let button = RoundedRectangle::with_equal_corners(button, Size::new_equal(radius));
+        for (fill, stroke) in [(true, 2), (true, 0), (false, 3)] {
+            let mut style = Style::with_stroke(Gray8::WHITE, stroke);
+            let mut builder = PrimitiveStyleBuilder::new().stroke_color(Gray8::WHITE).stroke_width(stroke);
+            if fill {
+                style.fill_color = Some(Gray8::new(100));
+                builder = builder.fill_color(Gray8::new(100));
+            }
+            if stroke == 0 {
+                style.stroke_color = None;
+            }
+            let blended = windows_for(&button, &blended(style));
+            let theirs = windows_for(&button, &builder.build());
+            // Each of the four corners has at most six runs a row: partial, stroke, partial, fill.
+            let rows = usize::try_from(radius + stroke).unwrap();
+            assert!(blended.windows <= 7 + 4 * 6 * rows, "{radius} {stroke}: {} windows", blended.windows);
+            if fill {
+                assert!(
+                    blended.largest > 200 * (44 - 2 * radius),
+                    "{radius} {stroke}: the largest has {}",
+                    blended.largest
+                );
+            }
+            // Where no pixel is covered in part, the same; nowhere is anything left out.
+            let differing = blended.pixels.iter().zip(&theirs.pixels).filter(|(a, b)| a != b).count();
+            assert!(differing <= 4 * 4 * rows, "{radius} {stroke}: {differing} differ");
+            let unblended = windows_for(&button, &style);
+            assert!(unblended.windows <= theirs.windows, "{} and {}", unblended.windows, theirs.windows);
+            println!(
+                "{radius} {stroke}: {} blended, {} unblended, {} theirs",
+                blended.windows, unblended.windows, theirs.windows
+            );
+        }
+    }
 }
