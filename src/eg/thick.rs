@@ -136,7 +136,9 @@ impl Together {
     #[inline(never)]
     fn add(&self, clip: &PixelRect, tile: &mut Tile) {
         const CELLS: usize = COLUMNS.cast_unsigned() as usize;
-        let contours: Vec<&[Vertex], TOGETHER> = self.0.iter().map(<[Vertex; 4]>::as_slice).collect();
+        // There is as much room here as there. (`collect` has a panic in it.)
+        let mut contours: Vec<&[Vertex], TOGETHER> = Vec::new();
+        self.0.iter().for_each(|area| contours.push(area.as_slice()).unwrap_or_default());
         if let Ok(polygon) = Polygon::with_contours(&contours).coverage_with::<{ 2 * TOGETHER }, CELLS>() {
             tile.add(&polygon, clip);
         }
