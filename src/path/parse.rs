@@ -117,7 +117,7 @@ impl Path<'_> {
     }
 }
 
-/// A [`Path`](crate::Path) from SVG path data, made when the program is compiled. What is wrong does not compile.
+/// A [`Path`] from SVG path data, made when the program is compiled. What is wrong does not compile.
 ///
 /// A unit is a pixel, or a fraction of one that is given after the data: `path!(DATA, 2, 3)` makes an icon of 24 units
 /// 16 pixels large. Numbers are rounded to 1/4096 pixel once, after that.
