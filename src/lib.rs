@@ -9,8 +9,9 @@
 //! Shape -clip-> Edge -one step a row-> Span, or a block of equal rows -> colour -> DrawTarget::fill_solid
 //! Cover -clip-> edges and cells -a row of pixels-> Span, run of coverage -> Blend -> fill_solid, fill_contiguous
 //!
-//! limits · subpixel · geometry, fragment · contours · turn · edge · span, error · coverage · area · shape, target · blend
-//! · draw · seed_fill · attribute · paint, splat · eg · methods
+//! limits · subpixel · geometry, fragment · contours · angle · turn · outline · path, stroke · edge · span, error
+//! · coverage · area · shape, target · primitive, collected · blend · draw · seed_fill · attribute · paint, splat · eg
+//! · methods
 //! ```
 //!
 //! A module uses only what stands to its left. Shapes know no colours and no targets: they push [`Span`]s or blocks
@@ -99,9 +100,11 @@
     clippy::unwrap_used
 )]
 
+mod angle;
 mod area;
 mod attribute;
 mod blend;
+mod collected;
 mod contours;
 mod coverage;
 mod draw;
@@ -114,11 +117,15 @@ mod geometry;
 mod limits;
 #[cfg(feature = "methods")]
 pub mod methods;
-mod seed_fill;
+mod outline;
 mod paint;
+mod path;
+mod primitive;
+mod seed_fill;
 mod shape;
 mod span;
 pub mod splat;
+mod stroke;
 mod subpixel;
 mod target;
 mod turn;
@@ -130,6 +137,7 @@ struct Readme;
 #[cfg(test)]
 extern crate std;
 
+pub use angle::Angle;
 pub use area::CoverageEdge;
 pub use attribute::{
     Affine, AttributeSink, Attributes, Barycentric, Channels, DepthBuffer, DepthBufferError, DepthTest, DepthTested,
@@ -137,25 +145,31 @@ pub use attribute::{
     average,
 };
 pub use blend::{Blend, Dither, InPlace, Linear, Mix, MixLinear, Over, ReadBack};
+pub use collected::{TooFewVertices, collect};
 pub use coverage::{Cell, CoverageSink, SampleCell, Samples};
 pub use draw::{AntiAlias, AntiAliased, Fill, Filled};
 pub use error::{TooLittleScratch, TooManyEdges};
 pub use fixed::types::I24F8;
 pub use fragment::{Fragment, FragmentSink};
 pub use geometry::{PixelRect, Vertex};
-pub use seed_fill::{Connectivity, FillRegion, FillSegment, SeedFill, SeedFillError};
+pub use outline::{
+    Curve, CurvePoints, CurveSink, Curves, FinePoint, FineRect, Flattened, Outline, OutlineCount, OutlineSink,
+};
 pub use paint::{
     AreaSink, Areas, BadStops, Cells as MosaicCells, ConicalGradient, EmptyPattern, GouraudPaint, Hatch,
     LinearGradient, Mosaic, MosaicCell, MosaicError, MosaicScratchTooSmall, Paint, Painted, PaintedAntiAliased,
     Painting, Pattern, RadialGradient, Rounded, Solid, Spread, Stop, Stops, Tile, Tiles,
 };
+pub use path::{ArcTo, Element, Path, PathError, SvgElements, Transform};
+pub use primitive::{Arc, ArcLine, CircleOutline, Ellipse, Rectangle, Ring, RoundedRectangle, Sector, TaperedLine};
+pub use seed_fill::{Connectivity, FillRegion, FillSegment, SeedFill, SeedFillError};
 pub use shape::{
-    ActiveEdge, ActiveEdges, Circle, Cover, FillRule, Line, Polygon, PolygonCoverageIn,
-    PolygonCoverageWith, PolygonEdges, PolygonInScratch, PolygonWithCapacity, SampleEdge, Shape, SupersampledIn,
-    Triangle,
+    ActiveEdge, ActiveEdges, Circle, Cover, FillRule, Line, Polygon, PolygonCoverageIn, PolygonCoverageWith,
+    PolygonEdges, PolygonInScratch, PolygonWithCapacity, SampleEdge, Shape, SupersampledIn, Triangle,
 };
 pub use span::{BlockSink, Span, SpanSink};
-pub use target::PixelRows;
+pub use stroke::{Cap, Join, Stroke, StrokeStyle};
+pub use target::{PixelRows, View};
 pub use turn::Turn;
 
 /// The traits that a program which draws needs in scope.

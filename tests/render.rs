@@ -198,7 +198,7 @@ fn shapes_go_through_the_primitive_of_their_kind() {
         ),
         (
             r#"<line x2="9" y2="9" stroke="red" stroke-width="2"/>"#,
-            "0 triangles, 1 polygons (1 contours, 5 vertices), 0 circles, 0 lines",
+            "0 triangles, 1 polygons (1 contours, 4 vertices), 0 circles, 0 lines",
         ),
         (
             r#"<rect width="3" height="3"/><path d="M1 1h3v3zM5 5h3v3z"/>"#,

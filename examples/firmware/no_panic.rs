@@ -16,10 +16,11 @@ use embedded_graphics::{
     primitives::{self as eg, CornerRadii, Rectangle, StrokeAlignment, StyledDimensions, StyledDrawable},
 };
 use spanfill::{
-    ActiveEdge, ActiveEdges, Blend, BlockSink, Cell, Circle, Connectivity, Cover, CoverageEdge, CoverageSink, Dither,
-    FillRegion, FillRule, FillSegment, InPlace, Line, Linear, Mix, MixLinear, Over, PixelRect, PixelRows, Polygon,
-    ReadBack, SampleCell, SampleEdge, Samples, SeedFill, Shape, Span, SpanSink, TooLittleScratch, Triangle, Turn,
-    Vertex,
+    ActiveEdge, ActiveEdges, Arc, Blend, BlockSink, Cap, Cell, Circle, CircleOutline, Connectivity, Cover,
+    CoverageEdge, CoverageSink, Dither, Element, Ellipse, FillRegion, FillRule, FillSegment, FinePoint, I24F8, InPlace,
+    Join, Line, Linear, Mix, MixLinear, Outline, OutlineSink, Over, Path, PixelRect, PixelRows, Polygon, ReadBack,
+    Ring, RoundedRectangle, SampleCell, SampleEdge, Samples, Sector, SeedFill, Shape, Span, SpanSink, Stroke,
+    StrokeStyle, SvgElements, TaperedLine, TooLittleScratch, Transform, Triangle, Turn, Vertex, collect,
     eg::{DrawOn, Style, StyleBuilder},
     prelude::*,
 };
@@ -295,6 +296,73 @@ fn samples() -> Samples {
     if black_box(false) { Samples::WEIGHTED } else { Samples::grid(black_box(4)) }
 }
 
+/// Takes the points of an outline, and makes a polygon of them.
+fn outline(outline: &impl Outline, clip: &PixelRect, display: &mut Display) {
+    struct Points;
+
+    impl OutlineSink for Points {
+        fn point(&mut self, x: i64, y: i64) {
+            black_box((x, y));
+        }
+
+        fn close(&mut self) {
+            black_box(());
+        }
+    }
+
+    outline.emit(&mut Points);
+    black_box((outline.extent(), outline.count()));
+    let mut vertices = black_box([Vertex::from_bits(0, 0); 16]);
+    if let Ok(polygon) = collect(outline, some_of(&mut vertices)) {
+        black_box(draw_polygon(polygon, clip, display)).unwrap_or_default();
+    }
+}
+
+fn draw_paths(clip: &PixelRect, display: &mut Display) {
+    let mut elements = black_box([Element::Close; 16]);
+    for (slot, element) in
+        elements.iter_mut().zip(SvgElements::new(black_box("M1 1z"), black_box(1), black_box(1)).flatten())
+    {
+        *slot = element;
+    }
+    let point = || black_box(FinePoint::from_bits(0, 0));
+    let angle = || spanfill::Angle::from_degrees(black_box(0.0)) + spanfill::Angle::of(black_box(1), black_box(1));
+    if let Some(last) = elements.last_mut() {
+        *last = Element::arc(point(), point(), angle(), black_box(true), black_box(true), point());
+    }
+    let transform = Transform::turned_about(point(), angle()).then(black_box(Transform::IDENTITY));
+    let path = Path::new(&elements).transformed(transform);
+    outline(&path, clip, display);
+    let dashes = black_box([256_u32; 3]);
+    let style = StrokeStyle::new(black_box(256)).cap(black_box(Cap::Round)).join(black_box(Join::Round));
+    outline(&Stroke::new(path, style.dashes(&dashes).phase(black_box(1))), clip, display);
+}
+
+fn draw_curves(clip: &PixelRect, display: &mut Display) {
+    let vertex = || black_box(Vertex::from_bits(0, 0));
+    let length = || black_box(I24F8::ZERO);
+    let angle = || black_box(spanfill::Angle::ZERO);
+    let rectangle = spanfill::Rectangle::new(vertex(), vertex());
+    let rounded = RoundedRectangle { rectangle, radii: [vertex(), vertex(), vertex(), vertex()] };
+    let ellipse = Ellipse::new(vertex(), vertex()).turned(angle());
+    let ring = Ring::new(vertex(), length(), length());
+    let sector = Sector::new(vertex(), length(), angle(), angle());
+    let arc = Arc::new(vertex(), length(), length(), angle(), angle());
+    let hand = TaperedLine { is_connected: black_box(true), ..TaperedLine::new(vertex(), vertex(), black_box([1, 2])) };
+    push(rectangle, clip, display);
+    push(rounded, clip, display);
+    push(ellipse, clip, display);
+    push(ring, clip, display);
+    push(sector, clip, display);
+    push(arc, clip, display);
+    push(hand, clip, display);
+    push(CircleOutline::new(vertex(), length()), clip, display);
+    outline(&rounded, clip, display);
+    outline(&ellipse, clip, display);
+    outline(&arc, clip, display);
+    outline(&Stroke::new(arc.center_line(), StrokeStyle::new(black_box(256))), clip, display);
+}
+
 fn draw_shapes(clip: &PixelRect, display: &mut Display) -> Result<(), TooLittleScratch> {
     let vertices = black_box([Vertex::from_bits(0, 0); 9]);
     let [a, b, c, ..] = vertices;
@@ -330,6 +398,8 @@ fn main() -> ! {
             black_box(error);
         }
         fill_from_seed(clip, &mut display);
+        draw_paths(clip, &mut display);
+        draw_curves(clip, &mut display);
         draw_primitives(&mut display);
         mix_all();
     }

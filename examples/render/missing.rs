@@ -45,7 +45,23 @@ const SVG: &str = "http://www.w3.org/2000/svg";
 pub(crate) fn elements_left_out(document: &Document<'_>) -> MissingKinds {
     let mut found = MissingKinds::new();
     visit(document.root_element(), &mut Vec::new(), &mut found);
+    // A marker is named by a path, in an attribute, a style, or a style sheet, and so far in no other way.
+    let markers = document.descendants().filter(|node| node.has_tag_name((SVG, "marker")));
+    for marker in markers {
+        let reference = marker.attribute("id").map(|id| format!("#{id}"));
+        if reference.is_some_and(|reference| names(document.input_text(), &reference)) {
+            visit_children(marker, &mut Vec::new(), &mut found);
+        }
+    }
     found
+}
+
+/// Whether a text has the reference, and not just the beginning of a longer one.
+fn names(text: &str, reference: &str) -> bool {
+    text.match_indices(reference).any(|(index, _)| {
+        let after = text[index + reference.len()..].chars().next();
+        after.is_none_or(|next| !(next.is_alphanumeric() || "-_.:".contains(next)))
+    })
 }
 
 /// A file may refer in circles. It may also refer twice to what refers twice to something else, and so on: beyond this
@@ -59,8 +75,8 @@ fn visit<'a>(node: Node<'a, 'a>, through: &mut Vec<Node<'a, 'a>>, found: &mut Mi
     }
     match node.tag_name().name() {
         "text" => {
-            let letters = node.descendants().filter_map(|child| child.is_text().then(|| child.text()).flatten());
-            if letters.into_iter().any(|text| !text.trim().is_empty()) {
+            let elsewhere = node.descendants().filter(|child| child.has_tag_name((SVG, "tref"))).filter_map(referred);
+            if has_letters(node) || elsewhere.into_iter().any(has_letters) {
                 found.insert(Missing::Text);
             }
         }
@@ -85,6 +101,11 @@ fn visit<'a>(node: Node<'a, 'a>, through: &mut Vec<Node<'a, 'a>>, found: &mut Mi
         "svg" | "g" | "a" | "switch" => visit_children(node, through, found),
         _ => {}
     }
+}
+
+fn has_letters(node: Node<'_, '_>) -> bool {
+    let letters = node.descendants().filter_map(|child| child.is_text().then(|| child.text()).flatten());
+    letters.into_iter().any(|text| !text.trim().is_empty())
 }
 
 fn visit_children<'a>(node: Node<'a, 'a>, through: &mut Vec<Node<'a, 'a>>, found: &mut MissingKinds) {
@@ -122,6 +143,19 @@ mod tests {
         assert_eq!(found_in("<defs><text>a</text></defs><symbol><text>a</text></symbol>"), []);
         assert_eq!(found_in(r#"<g display="none"><text>a</text></g>"#), []);
         assert_eq!(found_in(r#"<text xmlns="https://example.org">a</text>"#), []);
+    }
+
+    #[test]
+    fn looks_into_markers_and_for_text_that_stands_elsewhere() {
+        let marker = r#"<marker id="m"><text>a</text><image/></marker>"#;
+        let used = format!(r##"{marker}<path d="M0 0h9" style="marker-end:url(#m)"/>"##);
+        assert_eq!(found_in(&used), [Missing::Text, Missing::Image]);
+        let styled = format!("{marker}<style>path {{ marker: url('#m') }}</style><path d='M0 0h9'/>");
+        assert_eq!(found_in(&styled), [Missing::Text, Missing::Image]);
+        assert_eq!(found_in(&format!(r##"{marker}<path d="M0 0h9" marker-end="url(#mm)"/>"##)), []);
+        let text = r#"<defs><text id="t">a</text><text id="e"> </text></defs>"#;
+        assert_eq!(found_in(&format!(r##"{text}<text><tref xlink:href="#t"/></text>"##)), [Missing::Text]);
+        assert_eq!(found_in(&format!(r##"{text}<text><tref xlink:href="#e"/></text>"##)), []);
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! Strokes become outlines to fill or, when they are hairlines, thin lines.
 
 use kurbo::{Affine, BezPath, PathEl, Point};
-use spanfill::Vertex;
+use spanfill::{Cap, Element, FinePoint, Join, Outline, OutlineSink, Path, Stroke, StrokeStyle, Vertex};
 use usvg::{
-    LineCap,
+    LineCap, LineJoin,
     tiny_skia_path::{self, PathBuilder, PathSegment, StrokeDash},
 };
 
@@ -13,7 +13,9 @@ use super::{flatten, transform::stretches};
 #[derive(Debug)]
 pub(crate) enum Stroked {
     Lines(Vec<[Vertex; 2]>),
-    /// To be filled by the non-zero rule.
+    /// To be filled by the non-zero rule: the crate's own stroke.
+    Contours(Vec<Vec<Vertex>>),
+    /// The same, of a stroke that is squeezed once it is made, as the crate's are not.
     Outline(BezPath),
 }
 
@@ -59,13 +61,11 @@ pub(crate) fn stroke(path: &BezPath, style: &usvg::Stroke, to_device: Affine, ha
     // In 1/256 pixel, as coordinates are: a width of one pixel times a scale in single precision may exceed it a little.
     let width = (stroke.width * 256.0).round();
     let straight = matches!(path.elements(), [PathEl::MoveTo(_), PathEl::LineTo(_)]);
+    let is_squeezed = least < resolution * (1.0 - 1.0 / 512.0);
     let is_line = match hairlines {
         Hairlines::OnePixel => width < 256.0 || (straight && width == 256.0),
         // As wide everywhere, and without caps.
-        Hairlines::AsWideAsTheyAre => {
-            let is_squeezed = least < resolution * (1.0 - 1.0 / 512.0);
-            straight && width == 256.0 && style.linecap() == LineCap::Butt && !is_squeezed
-        }
+        Hairlines::AsWideAsTheyAre => straight && width == 256.0 && style.linecap() == LineCap::Butt && !is_squeezed,
     };
     if is_line {
         let mut chain = to_device * bez_path(&dashed);
@@ -74,10 +74,70 @@ pub(crate) fn stroke(path: &BezPath, style: &usvg::Stroke, to_device: Affine, ha
         }
         return Some(Stroked::Lines(flatten::edges(&chain)));
     }
+    if !is_squeezed {
+        let elements = elements(&(to_device * bez_path(&dashed)));
+        // The cast saturates, and the crate has an end of widths of its own.
+        let style = crates_style(style, width as u32);
+        return Some(Stroked::Contours(contours(&Stroke::new(Path::new(&elements), style))));
+    }
     // Dashes are applied already.
     stroke.dash = None;
     let outline = dashed.stroke(&stroke, RESOLUTION_SCALE)?;
     Some(Stroked::Outline(to_device * bez_path(&outline)))
+}
+
+/// A path in pixels as the crate's.
+fn elements(path: &BezPath) -> Vec<Element> {
+    let fine = |point: Point| FinePoint::new(point.x, point.y);
+    let element = |element: &PathEl| match *element {
+        PathEl::MoveTo(to) => Element::Move(fine(to)),
+        PathEl::LineTo(to) => Element::Line(fine(to)),
+        PathEl::QuadTo(control, to) => Element::Quadratic(fine(control), fine(to)),
+        PathEl::CurveTo(control1, control2, to) => Element::Cubic(fine(control1), fine(control2), fine(to)),
+        PathEl::ClosePath => Element::Close,
+    };
+    path.elements().iter().map(element).collect()
+}
+
+fn crates_style(style: &usvg::Stroke, width: u32) -> StrokeStyle<'static> {
+    let cap = match style.linecap() {
+        LineCap::Butt => Cap::Butt,
+        LineCap::Round => Cap::Round,
+        LineCap::Square => Cap::Square,
+    };
+    let join = match style.linejoin() {
+        // Clipped miters are those of a bevel for the crate.
+        LineJoin::Miter | LineJoin::MiterClip => {
+            Join::Miter { limit: (style.miterlimit().get() * 256.0).round() as u32 }
+        }
+        LineJoin::Round => Join::Round,
+        LineJoin::Bevel => Join::Bevel,
+    };
+    StrokeStyle::new(width).cap(cap).join(join)
+}
+
+/// An outline's contours, in vertices.
+fn contours(outline: &impl Outline) -> Vec<Vec<Vertex>> {
+    #[derive(Default)]
+    struct Contours {
+        closed: Vec<Vec<Vertex>>,
+        open: Vec<Vertex>,
+    }
+
+    impl OutlineSink for Contours {
+        fn point(&mut self, x: i64, y: i64) {
+            // Within what the crate makes: the casts keep it.
+            self.open.push(FinePoint::from_bits(x as i32, y as i32).to_vertex());
+        }
+
+        fn close(&mut self) {
+            self.closed.push(std::mem::take(&mut self.open));
+        }
+    }
+
+    let mut contours = Contours::default();
+    outline.emit(&mut contours);
+    contours.closed
 }
 
 /// A sub-path without length shows its caps and nothing else: without caps it is not drawn.
@@ -169,8 +229,22 @@ mod tests {
     }
 
     fn outline(element: &str, to_device: Affine) -> BezPath {
-        match stroked(element, to_device) {
+        outline_of(stroked(element, to_device))
+    }
+
+    fn outline_of(stroked: Option<Stroked>) -> BezPath {
+        match stroked {
             Some(Stroked::Outline(outline)) => outline,
+            Some(Stroked::Contours(contours)) => {
+                let mut path = BezPath::new();
+                for contour in contours {
+                    let mut points = contour.iter().map(|vertex| Point::new(vertex.x.to_num(), vertex.y.to_num()));
+                    path.move_to(points.next().expect("a contour has points"));
+                    points.for_each(|point| path.line_to(point));
+                    path.close_path();
+                }
+                path
+            }
             other => panic!("an outline, not {other:?}"),
         }
     }
@@ -182,7 +256,7 @@ mod tests {
         assert_eq!(lines(LINE, Affine::IDENTITY), [[Vertex::new(1, 2), Vertex::new(5, 4)]]);
         assert_eq!(lines(LINE, Affine::scale(0.5)), [[Vertex::new(0.5, 1), Vertex::new(2.5, 2)]]);
         let area = outline(LINE, Affine::scale(2.0)).area().abs();
-        assert!((area - 2.0 * 80f64.sqrt()).abs() < 1e-3, "{area}");
+        assert!((area - 2.0 * 80f64.sqrt()).abs() < 2e-2, "{area}");
     }
 
     #[test]
@@ -191,8 +265,8 @@ mod tests {
         let is_line = |stroked| matches!(stroked, Some(Stroked::Lines(lines)) if lines.len() == 1);
         assert!(is_line(blended(LINE, Affine::IDENTITY)));
         assert!(is_line(blended(LINE, Affine::rotate(0.5))));
-        let Some(Stroked::Outline(thin)) = blended(LINE, Affine::scale(0.5)) else { panic!("half a pixel wide") };
-        assert!((thin.area().abs() - 0.5 * 5f64.sqrt()).abs() < 1e-3, "{}", thin.area());
+        let thin = outline_of(blended(LINE, Affine::scale(0.5)));
+        assert!((thin.area().abs() - 0.5 * 5f64.sqrt()).abs() < 1e-2, "{}", thin.area());
         assert!(!is_line(blended(LINE, Affine::scale_non_uniform(1.0, 0.5))));
         assert!(!is_line(blended(&LINE.replace("/>", r#" stroke-linecap="square"/>"#), Affine::IDENTITY)));
     }

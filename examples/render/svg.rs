@@ -46,8 +46,8 @@ pub(crate) fn scene_from(
 
     let view = View::new(&tree, size)?;
     let missing = elements_left_out(&document);
-    let mut walk = Walk { to_device: view.to_device, hairlines, items: Vec::new(), missing };
-    walk.group(tree.root(), view.visible, 1.0);
+    let mut walk = Walk { hairlines, items: Vec::new(), missing };
+    walk.group(tree.root(), view.to_device, view.visible, 1.0);
     Ok((Scene { size: view.size, items: walk.items }, walk.missing))
 }
 
@@ -62,8 +62,9 @@ struct View {
 impl View {
     fn new(tree: &Tree, requested: Option<Size>) -> Result<Self, String> {
         let own = kurbo::Size::new(f64::from(tree.size().width()), f64::from(tree.size().height()));
-        // As many pixels as have their centre in the drawing; the casts saturate, and check_size refuses the result.
-        let natural = Size::new((own.width - 0.5).ceil().max(1.0) as u32, (own.height - 0.5).ceil().max(1.0) as u32);
+        // As many pixels as the drawing touches, as other renderers have it; the casts saturate, and check_size
+        // refuses the result.
+        let natural = Size::new(own.width.ceil().max(1.0) as u32, own.height.ceil().max(1.0) as u32);
         let size = requested.unwrap_or(natural);
         check_size(size, 1)?;
 
@@ -75,8 +76,13 @@ impl View {
             let rest = (display - own * scale) * 0.5;
             Affine::translate(rest.to_vec2()) * Affine::scale(scale)
         };
-        let visible =
-            pixels_in(to_device.transform_rect_bbox(own.to_rect())).intersection(&Rectangle::new(Pixel::zero(), size));
+        let all = Rectangle::new(Pixel::zero(), size);
+        // Where the drawing is as large as it says, what it has beyond a part of a pixel is seen in the rest of that.
+        let visible = if size == natural {
+            all
+        } else {
+            pixels_in(to_device.transform_rect_bbox(own.to_rect())).intersection(&all)
+        };
         Ok(Self { size, to_device, visible })
     }
 }
@@ -92,15 +98,18 @@ fn pixels_in(rect: kurbo::Rect) -> Rectangle {
 }
 
 /// Goes through the tree in painting order.
+///
+/// Transforms are put together on the way: what usvg calls absolute leaves out that of a group which it makes to clip
+/// a symbol, and that of the root for a background.
 struct Walk {
-    to_device: Affine,
     hairlines: Hairlines,
     items: Vec<Item>,
     missing: MissingKinds,
 }
 
 impl Walk {
-    fn group(&mut self, group: &Group, clip: Rectangle, mut opacity: f32) {
+    fn group(&mut self, group: &Group, to_device: Affine, clip: Rectangle, mut opacity: f32) {
+        let to_device = to_device * affine(group.transform());
         // Nothing of a group is seen that is wholly transparent.
         if group.opacity().get() == 0.0 {
             return;
@@ -124,12 +133,12 @@ impl Walk {
         }
         let clip = match group.clip_path() {
             None => clip,
-            Some(path) => self.clipped(clip, path, self.to_device * affine(group.abs_transform())),
+            Some(path) => self.clipped(clip, path, to_device),
         };
         for node in group.children() {
             match node {
-                Node::Group(child) => self.group(child, clip, opacity),
-                Node::Path(path) => self.path(path, clip, opacity),
+                Node::Group(child) => self.group(child, to_device, clip, opacity),
+                Node::Path(path) => self.path(path, to_device, clip, opacity),
                 // Named already, from the source.
                 Node::Image(_) | Node::Text(_) => {}
             }
@@ -151,27 +160,26 @@ impl Walk {
         }
     }
 
-    fn path(&mut self, path: &usvg::Path, clip: Rectangle, opacity: f32) {
+    fn path(&mut self, path: &usvg::Path, to_device: Affine, clip: Rectangle, opacity: f32) {
         if !path.is_visible() {
             return;
         }
         match path.paint_order() {
             PaintOrder::FillAndStroke => {
-                self.fill(path, clip, opacity);
-                self.stroke(path, clip, opacity);
+                self.fill(path, to_device, clip, opacity);
+                self.stroke(path, to_device, clip, opacity);
             }
             PaintOrder::StrokeAndFill => {
-                self.stroke(path, clip, opacity);
-                self.fill(path, clip, opacity);
+                self.stroke(path, to_device, clip, opacity);
+                self.fill(path, to_device, clip, opacity);
             }
         }
     }
 
-    fn fill(&mut self, path: &usvg::Path, clip: Rectangle, opacity: f32) {
+    fn fill(&mut self, path: &usvg::Path, to_device: Affine, clip: Rectangle, opacity: f32) {
         let Some(fill) = path.fill() else { return };
         let Some(opacity) = in_255ths(opacity * fill.opacity().get()) else { return };
         let Some(colour) = self.colour(fill.paint()) else { return };
-        let to_device = self.to_device * affine(path.abs_transform());
         let ellipse = Ellipse::recognise(path.data());
         let circle = ellipse.and_then(|ellipse| ellipse.circle(to_device));
         let outline = match circle {
@@ -187,17 +195,20 @@ impl Walk {
         self.items.extend(outline.map(|outline| Item { outline, colour, opacity, clip }));
     }
 
-    fn stroke(&mut self, path: &usvg::Path, clip: Rectangle, opacity: f32) {
+    fn stroke(&mut self, path: &usvg::Path, to_device: Affine, clip: Rectangle, opacity: f32) {
         let Some(style) = path.stroke() else { return };
         let Some(opacity) = in_255ths(opacity * style.opacity().get()) else { return };
         let Some(colour) = self.colour(style.paint()) else { return };
-        let to_device = self.to_device * affine(path.abs_transform());
         let curve = curve(path, Ellipse::recognise(path.data()), to_device);
         match stroke(&curve, style, to_device, self.hairlines) {
             None => {}
             Some(Stroked::Lines(lines)) => {
                 let lines = lines.into_iter().map(Outline::Line);
                 self.items.extend(lines.map(|outline| Item { outline, colour, opacity, clip }));
+            }
+            Some(Stroked::Contours(contours)) => {
+                let outline = Outline::filling(contours, spanfill::FillRule::NonZero);
+                self.items.extend(outline.map(|outline| Item { outline, colour, opacity, clip }));
             }
             Some(Stroked::Outline(outline)) => {
                 let outline = Outline::filling(flatten::flatten(&outline), spanfill::FillRule::NonZero);
@@ -274,6 +285,7 @@ fn curve(path: &usvg::Path, ellipse: Option<Ellipse>, to_device: Affine) -> BezP
 
 /// The rectangle on the display that is all of a clip path, if that is what it is.
 fn upright_rectangle(root: &Group, to_device: Affine) -> Option<kurbo::Rect> {
+    let to_device = to_device * affine(root.transform());
     let [only] = root.children() else { return None };
     let path = match only {
         Node::Group(group) if group.clip_path().is_none() => return upright_rectangle(group, to_device),
@@ -281,7 +293,7 @@ fn upright_rectangle(root: &Group, to_device: Affine) -> Option<kurbo::Rect> {
         Node::Group(_) | Node::Path(_) | Node::Image(_) | Node::Text(_) => return None,
     };
     use kurbo::PathEl::{ClosePath, LineTo, MoveTo};
-    let outline = to_device * affine(path.abs_transform()) * bez_path(path.data());
+    let outline = to_device * bez_path(path.data());
     let [MoveTo(a), LineTo(b), LineTo(c), LineTo(d), ClosePath] = *outline.elements() else { return None };
     let same = |p: f64, q: f64| (p - q).abs() < 1.0 / 512.0;
     let along_x_first = same(a.y, b.y) && same(b.x, c.x) && same(c.y, d.y) && same(d.x, a.x);
@@ -314,7 +326,7 @@ mod tests {
     fn a_unit_is_a_pixel_and_no_vertex_is_lost() {
         let content = r#"<path d="M0 0H5V0.25L5 .251 2 3.001Z"/>"#;
         let scene = scene(r#"width="8" height="4.4""#, content, None);
-        assert_eq!(scene.size, Size::new(8, 4));
+        assert_eq!(scene.size, Size::new(8, 5));
         assert_eq!(vertices(&scene.items[0].outline), [(0, 0), (1280, 0), (1280, 64), (1280, 64), (512, 768)]);
     }
 
@@ -373,5 +385,24 @@ mod tests {
             <g clip-path="url(#b)" transform="translate(1 0)"><rect width="9" height="9"/></g>"#;
         let scene = scene(r#"width="9" height="9""#, content, None);
         assert_eq!(scene.items[0].clip, Rectangle::new(Pixel::new(2, 2), Size::new(2, 7)));
+    }
+
+    #[test]
+    fn a_symbol_is_clipped_where_it_is_used() {
+        let content = r##"<symbol id="s" viewBox="0 0 10 10"><rect x="2" y="3" width="20" height="5"/></symbol>
+            <use href="#s" width="10" height="10" transform="translate(51 30)"/>"##;
+        let scene = scene(r#"width="80" height="60""#, content, None);
+        assert_eq!(scene.items[0].clip, Rectangle::new(Pixel::new(51, 30), Size::new(10, 10)));
+        let expected = [(53, 33), (73, 33), (73, 38), (53, 38)].map(|(x, y)| (x * 256, y * 256));
+        assert_eq!(vertices(&scene.items[0].outline), expected);
+    }
+
+    #[test]
+    fn a_background_is_all_of_the_view_box() {
+        let attributes = r#"viewBox="-20 -10 40 20" background-color="red""#;
+        let scene = scene(attributes, r#"<rect x="-20" y="-10" width="1" height="1"/>"#, None);
+        let expected = [(0, 0), (40, 0), (40, 20), (0, 20)].map(|(x, y)| (x * 256, y * 256));
+        assert_eq!(vertices(&scene.items[0].outline), expected);
+        assert_eq!(scene.size, Size::new(40, 20));
     }
 }

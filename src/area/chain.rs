@@ -113,7 +113,13 @@ impl CoverageEdge {
     /// Makes it the chain that leaves a top one way, as far as it is in the row that begins at `row_top`; `false` if there is
     /// none that is.
     #[inline]
-    pub(super) fn begin(&mut self, source: &Source<'_>, (contour, index): (u32, u32), direction: i8, row_top: i32) -> bool {
+    pub(super) fn begin(
+        &mut self,
+        source: &Source<'_>,
+        (contour, index): (u32, u32),
+        direction: i8,
+        row_top: i32,
+    ) -> bool {
         (self.contour, self.index, self.direction) = (contour, index, direction);
         (self.state, self.ends) = (State::Active, false);
         let mut from = source.vertex(contour, index);
@@ -363,11 +369,19 @@ impl Line {
         let mut line = *self;
         if low < columns.start {
             let y = self.y_at(columns.start);
-            if self.x0 < self.x1 { (line.x0, line.y0) = (columns.start, y) } else { (line.x1, line.y1) = (columns.start, y) }
+            if self.x0 < self.x1 {
+                (line.x0, line.y0) = (columns.start, y)
+            } else {
+                (line.x1, line.y1) = (columns.start, y)
+            }
         }
         if high > columns.end {
             let y = self.y_at(columns.end);
-            if self.x0 < self.x1 { (line.x1, line.y1) = (columns.end, y) } else { (line.x0, line.y0) = (columns.end, y) }
+            if self.x0 < self.x1 {
+                (line.x1, line.y1) = (columns.end, y)
+            } else {
+                (line.x0, line.y0) = (columns.end, y)
+            }
         }
         (line.y0 < line.y1).then_some(line)
     }
@@ -380,9 +394,8 @@ impl Line {
     #[inline]
     pub(super) fn add(&self, weight: i32, accumulator: &mut Accumulator) {
         let dy = self.y1 - self.y0;
-        accumulator.add(self.x0, self.x1, dy, weight, || {
-            Steepness::of_segment(self.x0.abs_diff(self.x1), dy.unsigned_abs())
-        });
+        accumulator
+            .add(self.x0, self.x1, dy, weight, || Steepness::of_segment(self.x0.abs_diff(self.x1), dy.unsigned_abs()));
     }
 }
 

@@ -76,7 +76,12 @@ mod tests {
         for divisor in numbers() {
             for numerator in numbers() {
                 let context = || std::format!("{numerator} / {divisor}");
-                assert_eq!(ratio_in::<false>(numerator, divisor), ratio_in::<true>(numerator, divisor), "{}", context());
+                assert_eq!(
+                    ratio_in::<false>(numerator, divisor),
+                    ratio_in::<true>(numerator, divisor),
+                    "{}",
+                    context()
+                );
                 let (dy, divisor) = (numerator & 0x1_FFFF, divisor | 1 << 31);
                 if dy <= 1 << 16 {
                     assert_eq!(share_in::<false>(dy, divisor), share_in::<true>(dy, divisor), "{dy}, {divisor}");

@@ -124,7 +124,9 @@ impl Outline for Far<'_> {
         let length = end.0.wrapping_sub(start.0).cast_unsigned();
         let distance = (along - i64::from(start.0)).unsigned_abs();
         let (whole, part) = divide_product(distance, start.1.abs_diff(end.1), length);
-        let moved = (whole << FINER).wrapping_add(((u64::from(part) << (FINER + 1)) / u64::from(length.max(1)) + 1) >> 1).cast_signed();
+        let moved = (whole << FINER)
+            .wrapping_add(((u64::from(part) << (FINER + 1)) / u64::from(length.max(1)) + 1) >> 1)
+            .cast_signed();
         let across = (i64::from(start.1) << FINER) + if start.1 <= end.1 { moved } else { -moved };
         let along = along << FINER;
         self.relative(if along_x { (along, across) } else { (across, along) })

@@ -202,7 +202,8 @@ impl Fill<'_, '_> {
             while joined_end < end && self.table.chain(joined_end).is_some_and(|chain| chain.state == State::Joined) {
                 joined_end += 1;
             }
-            let is_known = if joined_end - at == 1 { self.add_chain(at) } else { sweep::sweep(self, at, joined_end, false) };
+            let is_known =
+                if joined_end - at == 1 { self.add_chain(at) } else { sweep::sweep(self, at, joined_end, false) };
             if !is_known {
                 return false;
             }

@@ -72,7 +72,8 @@ fn insert(table: &mut Table<'_, '_>, place_of_group: usize, new: usize, at: usiz
     }
     table.set_place(at, place);
     // How far those up to each place reach.
-    let mut reach = (at > place_of_group).then(|| table.chain(at - 1)).flatten().map_or(i32::MIN, |left| left.next.cast_signed());
+    let mut reach =
+        (at > place_of_group).then(|| table.chain(at - 1)).flatten().map_or(i32::MIN, |left| left.next.cast_signed());
     for moved in at..=new {
         if let Some(chain) = table.chain_mut(moved) {
             reach = reach.max(chain.high);

@@ -41,7 +41,10 @@ pub(crate) trait Outline {
 #[derive(Clone, Copy)]
 pub(crate) enum Source<'a> {
     /// No vertex is farther than 8192 pixels from `origin`, which is in 1/256 pixel.
-    Contours { contours: Contours<'a>, origin: (i32, i32) },
+    Contours {
+        contours: Contours<'a>,
+        origin: (i32, i32),
+    },
     /// One contour.
     Points(&'a [Point]),
     Outline(&'a dyn Outline),
@@ -136,8 +139,5 @@ impl Source<'_> {
 #[inline]
 fn relative(vertex: Vertex, (x, y): (i32, i32)) -> Point {
     const FINER: u32 = FINE_BITS - SUBPIXEL_BITS;
-    Point {
-        x: vertex.x.to_bits().wrapping_sub(x) << FINER,
-        y: vertex.y.to_bits().wrapping_sub(y) << FINER,
-    }
+    Point { x: vertex.x.to_bits().wrapping_sub(x) << FINER, y: vertex.y.to_bits().wrapping_sub(y) << FINER }
 }

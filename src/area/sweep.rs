@@ -15,8 +15,8 @@ use core::ops::Range;
 
 use crate::area::{
     chain::{Line, Place, nearest},
-    pixel::{MOST, Piece, add_pieces},
     fill::Fill,
+    pixel::{MOST, Piece, add_pieces},
     source::{FINE_BITS, FINE_ONE},
 };
 
@@ -147,7 +147,9 @@ impl Fill<'_, '_> {
             let Some(chain) = self.table.chain(at) else { break };
             let weight = self.inside.weight(winding, chain.direction);
             winding += i32::from(chain.direction);
-            if weight != 0 && let Some(line) = self.line_at(slot, y, columns) {
+            if weight != 0
+                && let Some(line) = self.line_at(slot, y, columns)
+            {
                 line.between(y, to).add(weight, &mut self.accumulator);
             }
         }

@@ -54,7 +54,7 @@ impl Primitive for Arc {
         if !outer.can_be_blended() {
             return self.draw_aliased(paint, target);
         }
-        let wedge = Wedge::new(self.angle_start, self.angle_sweep);
+        let wedge = Wedge::exact(self.angle_start, self.angle_sweep);
         if wedge.sweep == Sweep::Whole {
             return draw_layers(
                 &Paint { fill: None, ..*paint },

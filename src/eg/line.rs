@@ -44,7 +44,7 @@ impl Primitive for Line {
             let line = crate::Line::new(vertex(start.0, start.1), vertex(end.0, end.1));
             return draw_area(line, stroke, blended, target);
         }
-        let sides = Sides::new(&paint.sides.open());
+        let sides = Sides::blended(&paint.sides.open());
         each_area(
             &[self.start, self.end],
             Point::zero(),

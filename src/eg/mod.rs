@@ -53,12 +53,15 @@
 //! ```
 //!
 //! - A filled triangle is [`Triangle`](crate::Triangle): triangles that share an edge share no pixel.
-//! - A stroke lies around the centres of the pixels that it runs through; where its width is even, half a pixel farther
-//!   to the left of its direction, or outside, which is where embedded-graphics puts the odd pixel. `Inside` and
-//!   `Outside` keep those pixels and go on inside or outside of them. Corners have mitres up to twice the width and are
-//!   cut off beyond. Ends reach as far as their pixels do: the line from (0, 0) to (9, 0) covers ten columns.
+//! - A stroke lies around the centres of the pixels that it runs through; where its width is even and it is not
+//!   blended, half a pixel farther to the left of its direction, or outside, which is where embedded-graphics puts the
+//!   odd pixel. Blended, it lies evenly about them, whichever way it is drawn. `Inside` and `Outside` keep those
+//!   pixels and go on inside or outside of them. Corners have mitres up to twice the width and are cut off beyond.
+//!   Ends reach as far as their pixels do: the line from (0, 0) to (9, 0) covers ten columns.
 //! - embedded-graphics takes the sine and cosine of arcs and sectors from the standard library where that is linked,
 //!   and from micromath elsewhere; here it is always micromath, in 1/1024. An end is within 0.2 degrees of its angle.
+//!   Blended ends are where their angle says ([`Angle`](crate::Angle)), and sectors without a stroke that follow each
+//!   other add up to the circle. A filled sector of no angle is nothing; embedded-graphics draws a diameter.
 //! - Some things that embedded-graphics leaves out are drawn: ellipses without a pixel on their first row, the stroke
 //!   of rounded rectangles on rows with nothing to fill, and whatever overflows its 32 bits.
 //!
@@ -70,7 +73,8 @@
 //! that stand for other curves are off by at most a part of the radius: 1/15000 where an ellipse, rounded rectangle or
 //! sector is filled, 1/4000 where it has a stroke, 1/8000 for an arc of 270 degrees (1/80 pixel at a radius of 100).
 //! Stroke and fill are blended together: each pixel is drawn once, in the mixture of both. Where the segments of a
-//! polyline overlap at the inside of a joint, pixels on the edge may be covered a little too much.
+//! polyline overlap, they are covered once; of more than 24 segments and joints within 64 x 4 pixels, some may be
+//! covered twice.
 //!
 //! # Limits
 //!

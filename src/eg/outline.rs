@@ -180,23 +180,40 @@ pub(super) fn draw_outlines<D: DrawTarget, B: Blend<D>>(
 where
     D::Color: Mix,
 {
-    let mut outline = Outline::new();
     if let (Some(fill), None) = (paint.fill, paint.stroke) {
+        let mut outline = Outline::new();
         push(&mut outline, ALONE, Layer::Inner);
         return draw_outline(&outline, fill, blended, target);
     }
+    draw_outlines_in(paint, blended, target, &[*bounds], push)
+}
+
+/// What of both there is in some boxes.
+pub(super) fn draw_outlines_in<D: DrawTarget, B: Blend<D>>(
+    paint: &Paint<D::Color>,
+    blended: &Blended<B>,
+    target: &mut D,
+    boxes: &[PixelBox],
+    push: impl Fn(&mut Outline, usize, Layer),
+) -> Result<(), D::Error>
+where
+    D::Color: Mix,
+{
+    let mut outline = Outline::new();
     push(&mut outline, PAIRED, Layer::Outer);
     let split = outline.len();
     push(&mut outline, PAIRED, Layer::Inner);
     let (outer, inner) = outline.split_at_checked(split).unwrap_or_default();
-    draw_layers(
-        paint,
-        blended,
-        target,
-        &bounds.rectangle().into(),
-        |clip, tile| add_outline(outer, clip, tile),
-        |clip, tile| add_outline(inner, clip, tile),
-    )
+    boxes.iter().try_for_each(|pixels| {
+        draw_layers(
+            paint,
+            blended,
+            target,
+            &pixels.rectangle().into(),
+            |clip, tile| add_outline(outer, clip, tile),
+            |clip, tile| add_outline(inner, clip, tile),
+        )
+    })
 }
 
 /// What the stroke ends at, and what it leaves to fill.

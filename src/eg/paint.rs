@@ -55,6 +55,11 @@ impl Stroke {
         (left, 2 * self.width - left)
     }
 
+    /// Whether it lies in the middle of the outline.
+    pub(super) fn is_centered(&self) -> bool {
+        self.alignment == StrokeAlignment::Center
+    }
+
     /// The same for an outline that is not closed, which has no inside.
     pub(super) fn open(&self) -> Self {
         Self { alignment: StrokeAlignment::Center, ..*self }

@@ -19,7 +19,7 @@ fn boxes(rectangle: &Rectangle, stroke: &Stroke) -> (PixelBox, PixelBox) {
 }
 
 /// What of a box the target shows.
-fn fill_box<D: DrawTarget>(pixels: &PixelBox, colour: D::Color, target: &mut D) -> Result<(), D::Error> {
+pub(super) fn fill_box<D: DrawTarget>(pixels: &PixelBox, colour: D::Color, target: &mut D) -> Result<(), D::Error> {
     let PixelRect { rows, columns } = pixels.visible(&target.bounding_box().into());
     if rows.is_empty() || columns.is_empty() {
         return Ok(());

@@ -10,9 +10,10 @@ use crate::{Blend, Mix};
 use super::{
     Blended,
     curve::Curve,
-    outline::{Chords, Layer, Outline, draw_outlines, push_arc, radius},
+    outline::{Chords, Layer, Outline, draw_outlines, draw_outlines_in, push_arc, radius},
     paint::{Paint, Stroke},
     pixel_box::PixelBox,
+    rectangle::fill_box,
     rows::draw_rows,
     styled::Primitive,
 };
@@ -83,6 +84,81 @@ impl Rounded {
             let first = (corner + 2) * quarter;
             push_arc(outline, center, radii, chords, first..=first + quarter);
         }
+    }
+}
+
+/// What lies between the corners, where there are no pixels covered in part: columns from side to side, and rows.
+///
+/// ```text
+///      corner | columns | corner
+///     --------+---------+--------
+///       rows  |         |  rows       as few rectangles as there are colours, whatever the size;
+///     --------+---------+--------     only the corners are blended
+///      corner |         | corner
+/// ```
+struct Cross {
+    columns: Range<i64>,
+    rows: Range<i64>,
+}
+
+impl Cross {
+    /// None where corners touch, or nothing is inside.
+    fn between(outer: &Rounded, inner: &Rounded) -> Option<Self> {
+        if inner.pixels.is_empty() {
+            return None;
+        }
+        let straight = |rounded: &Rounded| {
+            let PixelBox { left, top, width, height } = rounded.pixels;
+            let [a, b, c, d] = rounded.confined().radii;
+            (left + a.0.max(d.0)..left + width - b.0.max(c.0), top + a.1.max(b.1)..top + height - c.1.max(d.1))
+        };
+        let (outer, inner) = (straight(outer), straight(inner));
+        let both = |a: Range<i64>, b: Range<i64>| a.start.max(b.start)..a.end.min(b.end);
+        let (columns, rows) = (both(outer.0, inner.0), both(outer.1, inner.1));
+        (!columns.is_empty() && !rows.is_empty()).then_some(Self { columns, rows })
+    }
+
+    fn draw<D: DrawTarget>(
+        &self,
+        outer: &PixelBox,
+        inner: &PixelBox,
+        paint: &Paint<D::Color>,
+        target: &mut D,
+    ) -> Result<(), D::Error> {
+        let mut draw = |columns: Range<i64>, rows: Range<i64>, colour: Option<D::Color>| match colour {
+            Some(colour) if !columns.is_empty() && !rows.is_empty() => {
+                let (width, height) = (columns.end - columns.start, rows.end - rows.start);
+                fill_box(&PixelBox { left: columns.start, top: rows.start, width, height }, colour, target)
+            }
+            _ => Ok(()),
+        };
+        let Self { columns, rows } = self;
+        let (outer_end, inner_end) = (outer.top + outer.height, inner.top + inner.height);
+        draw(columns.clone(), outer.top..inner.top, paint.stroke)?;
+        draw(columns.clone(), inner.top..rows.start, paint.fill)?;
+        draw(outer.left..inner.left, rows.clone(), paint.stroke)?;
+        draw(inner.columns(), rows.clone(), paint.fill)?;
+        draw(inner.columns().end..outer.columns().end, rows.clone(), paint.stroke)?;
+        draw(columns.clone(), rows.end..inner_end, paint.fill)?;
+        draw(columns.clone(), inner_end..outer_end, paint.stroke)
+    }
+
+    fn corners(&self, outer: &PixelBox) -> [PixelBox; 4] {
+        let PixelBox { left, top, width, height } = *outer;
+        let (right, bottom) = (left + width, top + height);
+        let pixels = |left: i64, right: i64, top: i64, bottom: i64| PixelBox {
+            left,
+            top,
+            width: right - left,
+            height: bottom - top,
+        };
+        let (columns, rows) = (&self.columns, &self.rows);
+        [
+            pixels(left, columns.start, top, rows.start),
+            pixels(columns.end, right, top, rows.start),
+            pixels(left, columns.start, rows.end, bottom),
+            pixels(columns.end, right, rows.end, bottom),
+        ]
     }
 }
 
@@ -163,10 +239,18 @@ impl Primitive for RoundedRectangle {
         if !outer.pixels.can_be_blended() {
             return self.draw_aliased(paint, target);
         }
-        draw_outlines(paint, blended, target, &outer.pixels, |outline, room, layer| {
+        let outer = if paint.stroke.is_some() { outer } else { inner };
+        let push = |outline: &mut Outline, room: usize, layer: Layer| {
             let rounded = if layer == Layer::Outer { &outer } else { &inner };
             rounded.push(outline, room);
-        })
+        };
+        match Cross::between(&outer, &inner).filter(|_| blended.opacity == 255) {
+            Some(cross) => {
+                cross.draw(&outer.pixels, &inner.pixels, paint, target)?;
+                draw_outlines_in(paint, blended, target, &cross.corners(&outer.pixels), push)
+            }
+            None => draw_outlines(paint, blended, target, &outer.pixels, push),
+        }
     }
 
     fn styled_box(&self, stroke: &Stroke, _is_blended: bool) -> Rectangle {

@@ -1,7 +1,9 @@
 //! Sectors: circles cut by the wedge of the sweep, with a stroke along the arc and both straight sides.
 //!
 //! The straight sides of the stroke run through the middles of pixels: the stroke begins half a pixel outside of the
-//! angle. Below 55 and above 305 degrees its corner is cut off square.
+//! angle. Below 55 and above 305 degrees its corner is cut off square. Blended without a stroke, a sector is exactly
+//! what lies within its angle, so that sectors which follow each other add up to the circle; one of no angle is
+//! nothing.
 
 use embedded_graphics::{geometry::Angle, primitives::Sector};
 use embedded_graphics_core::{draw_target::DrawTarget, primitives::Rectangle};
@@ -60,7 +62,7 @@ fn cut_off(sector: &Sector, bevel: Bevel, stroke: &Stroke) -> HalfPlane {
 /// The outlines of the stroke and of what it leaves to fill.
 fn pies(sector: &Sector, stroke: &Stroke) -> (Pie, Pie) {
     let (outer, inner) = boxes(&sector.to_circle(), stroke);
-    let wedge = Wedge::new(sector.angle_start, sector.angle_sweep);
+    let wedge = Wedge::exact(sector.angle_start, sector.angle_sweep);
     let at = 2 * 256 * stroke.outside();
     let bevel = bevel(sector).and_then(|bevel| {
         let at = if bevel == Bevel::Outer { -at } else { at };
@@ -85,6 +87,9 @@ fn pies(sector: &Sector, stroke: &Stroke) -> (Pie, Pie) {
 impl Primitive for Sector {
     #[inline(never)]
     fn draw_aliased<D: DrawTarget>(&self, paint: &Paint<D::Color>, target: &mut D) -> Result<(), D::Error> {
+        if paint.stroke.is_none() && self.angle_sweep == Angle::zero() {
+            return Ok(());
+        }
         let stroke = &paint.sides;
         let (outer, inner) = boxes(&self.to_circle(), stroke);
         let (x, y) = outer.center_2x();
@@ -123,7 +128,13 @@ impl Primitive for Sector {
     where
         D::Color: Mix,
     {
-        let (outer, inner) = pies(self, &paint.sides);
+        let (outer, mut inner) = pies(self, &paint.sides);
+        if paint.stroke.is_none() {
+            if self.angle_sweep == Angle::zero() {
+                return Ok(());
+            }
+            (inner.offset, inner.bevel) = (0, None);
+        }
         if !outer.pixels.can_be_blended() {
             return self.draw_aliased(paint, target);
         }

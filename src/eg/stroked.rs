@@ -73,6 +73,20 @@ impl Sides {
     }
 }
 
+impl Sides {
+    /// Of a blended stroke, which has no need of whole pixels: in the middle, its sides are as far from the line as
+    /// each other, whichever way that goes.
+    pub(super) fn blended(stroke: &Stroke) -> Self {
+        let sides = Self::new(stroke);
+        if stroke.is_centered() {
+            let half = (sides.left + sides.right) / 2;
+            Self { left: half, right: half, ..sides }
+        } else {
+            sides
+        }
+    }
+}
+
 /// The rectangle around a segment.
 fn segment(start: Vector, end: Vector, direction: Vector, sides: &Sides) -> [Vertex; 4] {
     let normal = left(direction);

@@ -9,13 +9,14 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 
-use crate::{Blend, Mix, PixelRect, Triangle, Vertex, draw::Fill};
+use heapless::Vec;
+
+use crate::{Blend, Mix, PixelRect, Polygon, Triangle, Vertex, draw::Fill};
 
 use super::{
     Blended,
-    layers::{Tile, draw_layers, grown, union},
+    layers::{COLUMNS, Tile, draw_layers, grown, union},
     normal::Vector,
-    outline::add_outline,
     paint::{Paint, Stroke},
     stroked::{Sides, each_area},
 };
@@ -81,29 +82,67 @@ pub(super) fn draw_thick_blended<D: DrawTarget, B: Blend<D>>(
 where
     D::Color: Mix,
 {
-    let sides = Sides::new(&paint.sides.open());
+    let sides = Sides::blended(&paint.sides.open());
     let bounds = touched(points, by, &sides);
     // A mitre may reach twice the width.
     let reach = 2 * paint.sides.width + 1;
     let paint = Paint { fill: None, ..*paint };
     let add_areas = |clip: &PixelRect, tile: &mut Tile| {
         let near = grown(clip, reach);
+        let mut together = Together(Vec::new());
         let result: Result<(), Infallible> = each_area(
             points,
             by,
             &sides,
             |start, end| meets(&near, start, end),
             |corners| {
-                add_outline(corners, clip, tile);
+                together.push(corners, clip, tile);
                 Ok(())
             },
         );
+        together.add(clip, tile);
         match result {
             Ok(()) => {}
             Err(never) => match never {},
         }
     };
     draw_layers(&paint, blended, target, &bounds, add_areas, |_, _| {})
+}
+
+/// As many areas as are added up by the non-zero rule; of more near one tile, some may be covered twice where they
+/// overlap.
+const TOGETHER: usize = 24;
+
+/// Areas of three or four corners near a tile, wound alike.
+struct Together(Vec<[Vertex; 4], TOGETHER>);
+
+impl Together {
+    fn push(&mut self, corners: &[Vertex], clip: &PixelRect, tile: &mut Tile) {
+        let &[a, b, c, ref rest @ ..] = corners else { return };
+        let d = rest.first().copied().unwrap_or(c);
+        let position = |vertex: Vertex| (i64::from(vertex.x.to_bits()), i64::from(vertex.y.to_bits()));
+        let ((ax, ay), (bx, by), (cx, cy), (dx, dy)) = (position(a), position(b), position(c), position(d));
+        // Twice the area of a quadrilateral, from its diagonals.
+        let is_clockwise = i128::from(cx - ax) * i128::from(dy - by) >= i128::from(cy - ay) * i128::from(dx - bx);
+        let area = if is_clockwise { [a, b, c, d] } else { [a, d, c, b] };
+        if let Err(area) = self.0.push(area) {
+            self.add(clip, tile);
+            self.0.clear();
+            // There is room now.
+            self.0.push(area).unwrap_or_default();
+        }
+    }
+
+    #[inline(never)]
+    fn add(&self, clip: &PixelRect, tile: &mut Tile) {
+        const CELLS: usize = COLUMNS.cast_unsigned() as usize;
+        // There is as much room here as there. (`collect` has a panic in it.)
+        let mut contours: Vec<&[Vertex], TOGETHER> = Vec::new();
+        self.0.iter().for_each(|area| contours.push(area.as_slice()).unwrap_or_default());
+        if let Ok(polygon) = Polygon::with_contours(&contours).coverage_with::<{ 2 * TOGETHER }, CELLS>() {
+            tile.add(&polygon, clip);
+        }
+    }
 }
 
 /// Whether a segment may meet pixels: the rectangle around it does, and a long one does not pass by on one side.
@@ -142,5 +181,6 @@ pub(super) fn stroked_box(points: &[Point], by: Point, stroke: &Stroke, is_blend
         let corner = Point::new(first.x.saturating_add(by.x), first.y.saturating_add(by.y));
         return Rectangle::new(corner, Size::zero());
     }
-    touched(points, by, &Sides::new(&stroke.open())).into()
+    let sides = if is_blended { Sides::blended(&stroke.open()) } else { Sides::new(&stroke.open()) };
+    touched(points, by, &sides).into()
 }

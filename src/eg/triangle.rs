@@ -151,7 +151,7 @@ impl Primitive for Triangle {
     where
         D::Color: Mix,
     {
-        let sides = Sides::new(&paint.sides);
+        let sides = Sides::blended(&paint.sides);
         let Some(clockwise) = Clockwise::new(self) else {
             if paint.stroke.is_none() {
                 return Ok(());
@@ -184,7 +184,7 @@ impl Primitive for Triangle {
         if stroke.width == 0 || (stroke.width == 1 && !is_blended) {
             return plain;
         }
-        let sides = Sides::new(stroke);
+        let sides = if is_blended { Sides::blended(stroke) } else { Sides::new(stroke) };
         let outer = match Clockwise::new(self) {
             Some(clockwise) => around(&clockwise.outer(&sides)),
             None => stroked_box(&ends(flat(self)), Point::zero(), stroke, is_blended).into(),

@@ -48,6 +48,17 @@ impl Wedge {
         Self { start: direction(start), end: direction(end), sweep }
     }
 
+    /// The same for blending, with directions in 2^-30 that are off by less than 2^-22 of a turn, as far as an angle in
+    /// single precision goes.
+    pub(super) fn exact(start: Angle, sweep: Angle) -> Self {
+        let direction = |angle: Angle| {
+            let (sin, cos) = crate::Angle::from_radians(angle.to_radians()).sin_cos();
+            (i64::from(cos), i64::from(sin))
+        };
+        let (from, to) = if sweep < Angle::zero() { (start + sweep, start) } else { (start, start + sweep) };
+        Self { start: direction(from), end: direction(to), ..Self::new(start, sweep) }
+    }
+
     /// Whether something lies in the wedge that lies on these sides of its start and its end.
     pub(super) fn holds(&self, after_start: bool, before_end: bool) -> bool {
         match self.sweep {

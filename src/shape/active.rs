@@ -3,12 +3,10 @@
 use core::ops::Range;
 
 use crate::{
-    contours::{Contours, Rows, edge_below, next_index},
     Vertex,
+    contours::{Contours, Rows, edge_below, next_index},
     edge::Edge,
-    shape::{
-        waiting::Top,
-    },
+    shape::waiting::Top,
 };
 
 /// What an active edge keeps of where it is.

@@ -18,11 +18,11 @@ mod waiting;
 mod wide_circle;
 mod wide_line;
 
+pub use crate::contours::FillRule;
 pub use active::{ActiveEdge, ActiveEdges};
 pub use circle::Circle;
 pub use covered_polygon::{PolygonCoverageIn, PolygonCoverageWith};
 pub use line::Line;
-pub use crate::contours::FillRule;
 pub use polygon::{Polygon, PolygonInScratch, PolygonWithCapacity};
 pub use supersampled::SupersampledIn;
 pub use supersampled_polygon::{PolygonEdges, SampleEdge};

@@ -3,12 +3,9 @@
 use core::{cell::Cell, fmt, ops::Range};
 
 use crate::{
-    contours::{Contours, FillRule, Rows},
     PixelRect, TooManyEdges, Vertex,
-    shape::{
-        ActiveEdge, ActiveEdges, Shape,
-        table::Table,
-    },
+    contours::{Contours, FillRule, Rows},
+    shape::{ActiveEdge, ActiveEdges, Shape, table::Table},
     span::{BlockSink, EachSpan, MergeRows, RowSink, SpanSink, clip_range},
     subpixel::first_centre_at_or_after,
 };

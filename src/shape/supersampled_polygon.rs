@@ -7,9 +7,9 @@
 use core::{cell::Cell as Shared, fmt, ops::Range};
 
 use crate::{
+    PixelRect, TooManyEdges, Vertex,
     contours::FillRule,
     contours::{Rows, next_index},
-    PixelRect, TooManyEdges, Vertex,
     coverage::{CoverageSink, SampleCell, Samples, Supersampler},
     edge::{Descent, Edge, divide_product},
     error::TooLittleScratch,

@@ -1,0 +1,112 @@
+//! How a stroke looks.
+
+/// What is at the ends of an open stroke, and of dashes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Cap {
+    /// Nothing: it is cut off square at the end.
+    #[default]
+    Butt,
+    /// Half a disc.
+    Round,
+    /// Half a square.
+    Square,
+}
+
+/// What is at the corners of a stroke.
+///
+/// ```text
+///      Miter           Round           Bevel
+///    ------.         -----.          -----.
+///          |              |               \
+///    ---.  |         ---. |          ---.  |
+///       |  |            | |             |  |
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Join {
+    /// The sides go on until they meet, unless that is further from the corner than `limit` times half the width, in
+    /// 1/256: then a bevel. SVG has a limit of 4, which is 1024 here.
+    Miter {
+        /// In 1/256. At less than 256, which is 1, all corners are bevels.
+        limit: u32,
+    },
+    /// A sector of a disc.
+    Round,
+    /// A triangle.
+    Bevel,
+}
+
+impl Default for Join {
+    #[inline]
+    fn default() -> Self {
+        Self::Miter { limit: 4 * 256 }
+    }
+}
+
+/// Width, caps, joins and dashes of a stroke.
+///
+/// # Examples
+///
+/// ```
+/// use spanfill::{Cap, Join, StrokeStyle};
+///
+/// const DOTS: StrokeStyle = StrokeStyle::new(640).cap(Cap::Round).join(Join::Round).dashes(&[0, 5 * 256]);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct StrokeStyle<'d> {
+    pub(super) width: u32,
+    pub(super) cap: Cap,
+    pub(super) join: Join,
+    pub(super) dashes: &'d [u32],
+    pub(super) phase: i32,
+}
+
+impl<'d> StrokeStyle<'d> {
+    /// A stroke of a width in 1/256 pixel: half of it on either side. One of no width draws nothing; 131072 pixels are
+    /// the most.
+    #[inline]
+    pub const fn new(width: u32) -> Self {
+        Self { width, cap: Cap::Butt, join: Join::Miter { limit: 4 * 256 }, dashes: &[], phase: 0 }
+    }
+
+    /// A stroke of a width in pixels.
+    #[inline]
+    pub const fn pixels(width: u32) -> Self {
+        Self::new(width.saturating_mul(256))
+    }
+
+    /// The same with other caps.
+    #[inline]
+    #[must_use]
+    pub const fn cap(self, cap: Cap) -> Self {
+        Self { cap, ..self }
+    }
+
+    /// The same with other joins.
+    #[inline]
+    #[must_use]
+    pub const fn join(self, join: Join) -> Self {
+        Self { join, ..self }
+    }
+
+    /// The same in dashes and gaps of these lengths in turn, in 1/256 pixel; an odd number of them is gone through
+    /// twice. Without any, or where all are 0, it has no gaps. Dashes of no length are dots.
+    #[inline]
+    #[must_use]
+    pub const fn dashes(self, dashes: &'d [u32]) -> Self {
+        Self { dashes, ..self }
+    }
+
+    /// The same with the dashes moved back along the path, in 1/256 pixel.
+    #[inline]
+    #[must_use]
+    pub const fn phase(self, phase: i32) -> Self {
+        Self { phase, ..self }
+    }
+
+    /// Half of the width, in 1/4096 pixel.
+    #[inline]
+    pub(super) const fn radius(&self) -> i64 {
+        const MOST: u32 = 1 << 25;
+        8 * if self.width < MOST { self.width as i64 } else { MOST as i64 }
+    }
+}

@@ -1,2 +1,0 @@
-//! debugging
-#![allow(warnings, clippy::all)]
