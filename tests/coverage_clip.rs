@@ -12,7 +12,7 @@ use oracle::{
     rule::{At, edges},
 };
 use spanfill::{
-    AntiAlias as _, Cell, Circle, Cover, CoverageEdge, CoverageSink, Line, Over, PixelRect, Polygon, Span,
+    AntiAlias as _, Circle, Cover, CoverageEdge, CoverageSink, Line, Over, PixelRect, Polygon, Span,
     TooLittleScratch, TooManyEdges, Triangle, Vertex,
 };
 
@@ -167,44 +167,35 @@ fn edges_on_half_pixels_in_pieces() {
     assert!(mixed * 2 >= count, "only {mixed} of {count} windows showed an outline");
 }
 
-/// There are strips only where the polygon is, and rows.
+/// There are rows, and tiles, only where the polygon is.
 #[test]
 fn polygons_in_clips_that_are_far_larger() {
     for_each_case(406, cases(300), |rng| {
         let (vertices, window) = four_vertices(rng);
         let outline = Outline::of(&vertices, random::fill_rule(rng));
-        check_large_clips(|clip| in_few_cells(&outline, clip, &window), &window, &outline.code());
+        check_large_clips(|clip| coverage_within(&outline, clip, &window), &window, &outline.code());
         Ok(0)
     });
 }
 
-/// In the cells of seven columns.
-fn in_few_cells(outline: &Outline, clip: &PixelRect, window: &PixelRect) -> CoverageGrid {
-    outline.with_polygon(|polygon| {
-        let mut edges = vec![CoverageEdge::EMPTY; polygon.coverage_edges()];
-        let mut cells = [Cell::EMPTY; 7];
-        coverage_within(&polygon.coverage_in(&mut edges, &mut cells).unwrap(), clip, window)
-    })
-}
-
+/// With few slots, tops are dropped and found again; with many, they all wait.
 #[test]
-fn any_number_of_cells_draws_the_same() {
+fn any_amount_of_scratch_draws_the_same() {
     let count = cases(1_500);
     let mixed = for_each_case(410, count, |rng| {
         let (outline, window) = random::outline(rng);
         let whole = coverage(&outline, &window);
-        let width = window.columns.len();
         outline.with_polygon(|polygon| {
-            // More edges than are needed, and cells: all of them used before.
-            let mut edges = vec![CoverageEdge::EMPTY; polygon.coverage_edges() + rng.index(3)];
-            let mut cells = vec![Cell::EMPTY; 64.max(width + 1)];
-            for count in [1, 2, 7, 64, width, width + 1] {
-                let polygon = polygon.coverage_in(&mut edges, &mut cells[..count]).unwrap();
-                let code = || format!("in {count} cells: {}", outline.code());
+            let (least, most) = (polygon.coverage_edges(), polygon.coverage_edges_at_most());
+            // All of them used before.
+            let mut edges = vec![CoverageEdge::EMPTY; most + 5];
+            for count in [least, least + 1, least + rng.index(5), usize::midpoint(least, most).max(least), most, most + 5] {
+                let polygon = polygon.coverage_in(&mut edges[..count]).unwrap();
+                let code = || format!("with {count} edges: {}", outline.code());
                 check_same_coverage(&coverage(&polygon, &window), &whole, code);
             }
             let code = || format!("on the stack: {}", outline.code());
-            if let Ok(polygon) = polygon.coverage_with::<12, 5>() {
+            if let Ok(polygon) = polygon.coverage_with::<12>() {
                 check_same_coverage(&coverage(&polygon, &window), &whole, code);
             }
         });
@@ -213,18 +204,31 @@ fn any_number_of_cells_draws_the_same() {
     assert!(mixed * 2 > count, "only {mixed} of {count} showed an outline");
 }
 
-/// The most edges that cross a row of 1/256 pixel. There can only be more where one starts.
-fn most_edges_on_a_line(outline: &Outline) -> usize {
-    let edges: Vec<(At, At)> = outline.contours.iter().flat_map(|contour| edges(contour)).collect();
-    let crossings = |y: i64| edges.iter().filter(|(a, b)| a.y.min(b.y) <= y && y < a.y.max(b.y)).count();
-    edges.iter().map(|(a, b)| crossings(a.y.min(b.y))).max().unwrap_or(0)
+/// The most chains, edges that go on downwards or upwards, that have a part in a row of pixels. There can only be more
+/// where one starts.
+fn most_chains_in_a_row(outline: &Outline) -> usize {
+    let mut chains: Vec<(i64, i64)> = Vec::new();
+    for contour in &outline.contours {
+        let steps: Vec<(At, At)> = edges(contour).filter(|(a, b)| a.y != b.y).collect();
+        let turns = |index: usize| {
+            let (before, here) = (steps[(index + steps.len() - 1) % steps.len()], steps[index]);
+            (before.0.y < before.1.y) != (here.0.y < here.1.y)
+        };
+        for start in (0..steps.len()).filter(|&index| turns(index)) {
+            let length = (1..steps.len()).find(|next| turns((start + next) % steps.len())).unwrap_or(steps.len());
+            let (first, last) = (steps[start].0.y, steps[(start + length - 1) % steps.len()].1.y);
+            chains.push((first.min(last), first.max(last)));
+        }
+    }
+    let met = |row: i64| chains.iter().filter(|(top, bottom)| *top < 256 * (row + 1) && *bottom > 256 * row).count();
+    chains.iter().map(|(top, _)| met(top.div_euclid(256))).max().unwrap_or(0)
 }
 
 #[test]
 fn one_edge_too_few_is_an_error_that_names_both_numbers() {
     let refused = for_each_case(411, cases(20_000), |rng| {
         let (outline, _) = random::outline(rng);
-        let expected = most_edges_on_a_line(&outline);
+        let expected = most_chains_in_a_row(&outline);
         outline.with_polygon(|polygon| {
             let needed = polygon.coverage_edges();
             if needed != expected || polygon.coverage_edges_at_most() < needed {
@@ -232,8 +236,8 @@ fn one_edge_too_few_is_an_error_that_names_both_numbers() {
                 return Err(format!("{needed}, not {expected}, at most {at_most}: {}", outline.code()));
             }
             let mut edges = vec![CoverageEdge::EMPTY; needed];
-            assert!(polygon.coverage_in(&mut edges, &mut [Cell::EMPTY]).is_ok(), "{}", outline.code());
-            match polygon.coverage_with::<4, 8>() {
+            assert!(polygon.coverage_in(&mut edges).is_ok(), "{}", outline.code());
+            match polygon.coverage_with::<4>() {
                 Ok(_) => assert!(needed <= 4, "{}", outline.code()),
                 Err(error) => assert_eq!(error, TooManyEdges { needed, available: 4 }, "{}", outline.code()),
             }
@@ -241,9 +245,8 @@ fn one_edge_too_few_is_an_error_that_names_both_numbers() {
                 return Ok(0);
             }
             for available in [needed - 1, rng.index(needed)] {
-                let error = polygon.coverage_in(&mut edges[..available], &mut [Cell::EMPTY]).map(|_| ()).unwrap_err();
-                let expected = TooLittleScratch::Edges(TooManyEdges { needed, available });
-                assert_eq!(error, expected, "{}", outline.code());
+                let error = polygon.coverage_in(&mut edges[..available]).map(|_| ()).unwrap_err();
+                assert_eq!(error, TooManyEdges { needed, available }, "{}", outline.code());
             }
             Ok(1)
         })
@@ -255,27 +258,21 @@ const ARROW: [Vertex; 4] = [Vertex::pixel(4, 0), Vertex::pixel(8, 7), Vertex::pi
 const ARROW_EDGES: usize = Polygon::new(&ARROW).coverage_edges();
 
 #[test]
-fn not_a_single_cell_is_an_error() {
-    let polygon = Polygon::new(&ARROW);
-    let mut edges = [CoverageEdge::EMPTY; ARROW_EDGES];
-    let error = polygon.coverage_in(&mut edges, &mut []).map(|_| ()).unwrap_err();
-    assert_eq!(error, TooLittleScratch::NoCells);
-    assert!(error.to_string().contains("cell"), "{error}");
-    // What has nothing to draw may be refused, but not for its edges.
-    assert!(matches!(Polygon::new(&[]).coverage_in(&mut [], &mut []), Err(TooLittleScratch::NoCells)));
-    assert!(Polygon::new(&[]).coverage_in(&mut [], &mut [Cell::EMPTY]).is_ok());
+fn nothing_to_draw_needs_no_edges() {
+    assert!(Polygon::new(&[]).coverage_in(&mut []).is_ok());
+    assert!(Polygon::new(&ARROW[..1]).coverage_in(&mut []).is_ok());
 }
 
 #[test]
 fn a_refused_polygon_leaves_the_display_untouched() {
     let mut display = MockDisplay::<Gray8>::new();
-    let (mut edges, mut cells) = ([CoverageEdge::EMPTY; ARROW_EDGES - 1], [Cell::EMPTY; 8]);
-    let mut draw = || -> Result<(), TooLittleScratch> {
-        let arrow = Polygon::new(&ARROW).coverage_in(&mut edges, &mut cells)?;
+    let mut edges = [CoverageEdge::EMPTY; ARROW_EDGES - 1];
+    let mut draw = || -> Result<(), TooManyEdges> {
+        let arrow = Polygon::new(&ARROW).coverage_in(&mut edges)?;
         let Ok(()) = arrow.antialiased(Gray8::WHITE, Over(Gray8::BLACK)).draw(&mut display);
         Ok(())
     };
-    assert_eq!(draw(), Err(TooLittleScratch::Edges(TooManyEdges { needed: 4, available: 3 })));
+    assert_eq!(draw(), Err(TooManyEdges { needed: 4, available: 3 }));
     assert_eq!(display.affected_area().size.width, 0);
     let error = TooLittleScratch::from(TooManyEdges { needed: 12, available: 8 }).to_string();
     assert!(error.contains("12") && error.contains('8'), "{error}");
@@ -341,8 +338,7 @@ fn a_sink_that_fails_ends_the_walk_and_leaves_the_scratch_in_order() {
         let (outline, window) = random::outline(rng);
         let failed = outline.with_polygon(|polygon| {
             let mut edges = vec![CoverageEdge::EMPTY; polygon.coverage_edges()];
-            let mut cells = vec![Cell::EMPTY; rng.pick(&[3, 24])];
-            check_failing(rng, &polygon.coverage_in(&mut edges, &mut cells).unwrap(), &window)
+            check_failing(rng, &polygon.coverage_in(&mut edges).unwrap(), &window)
         });
         let (triangle, window) = random::triangle(rng);
         let failed = failed + check_failing(rng, &triangle, &window);

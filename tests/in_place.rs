@@ -142,7 +142,7 @@ fn a_shape_in_memory_is_the_one_that_is_read_back() {
                 let outline = [at(far, 0), at(900, 5000), at(9000, 300 + far), at(-far, 2000), at(3000, 6100 - far)];
                 for opacity in [255, 128, 3] {
                     for rule in [FillRule::NonZero, FillRule::EvenOdd] {
-                        let star = Polygon::new(&outline).fill_rule(rule).coverage_with::<8, 50>();
+                        let star = Polygon::new(&outline).fill_rule(rule).coverage_with::<8>();
                         seen += usize::from(check_alike(&star.expect("it has five edges"), area, opacity));
                     }
                     seen += usize::from(check_alike(&triangle, area, opacity));

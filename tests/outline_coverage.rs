@@ -4,7 +4,7 @@ mod oracle;
 
 use oracle::{CoverageGrid, coverage, rect};
 use spanfill::{
-    Angle, Arc, Cap, Cell, CoverageEdge, Ellipse, I24F8, Outline, OutlineSink, Path, Polygon, Ring, RoundedRectangle,
+    Angle, Arc, Cap, CoverageEdge, Ellipse, I24F8, Outline, OutlineSink, Path, Polygon, Ring, RoundedRectangle,
     Sector, Stroke, StrokeStyle, SvgElements, TooFewVertices, Vertex, collect,
 };
 
@@ -15,8 +15,7 @@ fn covered(outline: &impl Outline) -> CoverageGrid {
     let mut vertices = vec![Vertex::default(); 20_000];
     let polygon: Polygon = collect(outline, &mut vertices).unwrap();
     let mut edges = vec![CoverageEdge::EMPTY; polygon.coverage_edges_at_most()];
-    let mut cells = [Cell::EMPTY; SIZE as usize];
-    let shape = polygon.coverage_in(&mut edges, &mut cells).unwrap();
+    let shape = polygon.coverage_in(&mut edges).unwrap();
     coverage(&shape, &rect(0..SIZE, 0..SIZE))
 }
 

@@ -301,7 +301,7 @@ mod mosaic {
             .collect();
         let slices: Vec<_> = (0..8).map(|i| Triangle::from_vertices([centre, rim[i], rim[(i + 1) % 8]])).collect();
         let tiles: Vec<_> = slices.iter().map(|slice| Tile::new(*slice, Solid(Gray8::WHITE))).collect();
-        let union = spanfill::Polygon::new(&rim).coverage_with::<16, 64>().unwrap();
+        let union = spanfill::Polygon::new(&rim).coverage_with::<16>().unwrap();
         let expected = coverage(&union);
         for cells in [SIDE, 3 * SIDE + 5, SIDE * SIDE] {
             let mut target = Memory::new(Gray8::BLACK);

@@ -58,7 +58,6 @@ const COLOUR: Rgb565 = Rgb565::CSS_ORANGE;
 const BACKGROUND: Rgb565 = Rgb565::BLACK;
 
 /// Anti-aliased polygons have a cell for each column: one pass does for all of them.
-const CELLS: usize = FRAME_WIDTH as usize;
 
 const STAR_VERTICES: [Vertex; STAR.len()] = vertices(STAR);
 const STAR_POLYGON: Polygon<'static> = Polygon::new(&STAR_VERTICES);
@@ -161,7 +160,7 @@ impl Bench {
 
     fn star(&mut self) -> Row {
         let filled = STAR_POLYGON.with_capacity::<{ STAR_POLYGON.active_edges() }>();
-        let covered = STAR_POLYGON.coverage_with::<{ STAR_POLYGON.coverage_edges() }, CELLS>();
+        let covered = STAR_POLYGON.coverage_with::<{ STAR_POLYGON.coverage_edges() }>();
         let (filled, covered) = (filled.expect("it has what it needs"), covered.expect("it has what it needs"));
         let cost = self.polygon(|| filled.filled(COLOUR), || covered);
         Row { name: "star", size_name: "radius", size_px: STAR_RADIUS_PX, cost }
@@ -169,7 +168,7 @@ impl Bench {
 
     fn concave_64(&mut self) -> Row {
         let filled = CONCAVE_64_POLYGON.with_capacity::<{ CONCAVE_64_POLYGON.active_edges() }>();
-        let covered = CONCAVE_64_POLYGON.coverage_with::<{ CONCAVE_64_POLYGON.coverage_edges() }, CELLS>();
+        let covered = CONCAVE_64_POLYGON.coverage_with::<{ CONCAVE_64_POLYGON.coverage_edges() }>();
         let (filled, covered) = (filled.expect("it has what it needs"), covered.expect("it has what it needs"));
         let cost = self.polygon(|| filled.filled(COLOUR), || covered);
         Row { name: "concave-64", size_name: "radius", size_px: CONCAVE_RADIUS_PX, cost }

@@ -34,7 +34,7 @@ use embedded_graphics::{
     prelude::*,
 };
 use panic_semihosting as _;
-use spanfill::{AntiAlias, Cell, CoverageEdge, FillRule, InPlace, Mix, PixelRows, Polygon, Vertex};
+use spanfill::{AntiAlias, CoverageEdge, FillRule, InPlace, Mix, PixelRows, Polygon, Vertex};
 
 use drawings::{GAUGE, ICONS, TEXT};
 use instruction_counter::InstructionCounter;
@@ -66,8 +66,6 @@ fn main() -> ! {
         frame: cortex_m::singleton!(: Frame = Frame::new()).expect("taken once"),
         other: cortex_m::singleton!(: Frame = Frame::new()).expect("taken once"),
         edges: cortex_m::singleton!(: [CoverageEdge; EDGES] = [CoverageEdge::EMPTY; EDGES]).expect("taken once"),
-        cells: cortex_m::singleton!(: [Cell; FRAME_WIDTH as usize] = [Cell::EMPTY; FRAME_WIDTH as usize])
-            .expect("taken once"),
         mask: cortex_m::singleton!(: [u8; PIXELS] = [0; PIXELS]).expect("taken once"),
         rasterizer: Rasterizer::new(1, 1),
     };
@@ -235,7 +233,6 @@ struct Bench {
     /// Both draw the same to begin with, each on a frame.
     other: &'static mut Frame,
     edges: &'static mut [CoverageEdge],
-    cells: &'static mut [Cell],
     mask: &'static mut [u8],
     rasterizer: Rasterizer,
 }
@@ -253,13 +250,13 @@ impl Bench {
         let Ok(()) = self.frame.clear(Rgb565::BLACK);
         let Ok(()) = self.other.clear(Rgb565::BLACK);
         for outline in outlines {
-            spanfill(outline, self.edges, self.cells, self.frame);
+            spanfill(outline, self.edges, self.frame);
             // The largest mask is asked for here, too.
             ab_glyph(outline, &mut self.rasterizer, self.mask, self.other);
         }
         assert_similar(self.frame, self.other);
         Cost {
-            spanfill: self.counter.count(outlines, |outline| spanfill(outline, self.edges, self.cells, self.frame)),
+            spanfill: self.counter.count(outlines, |outline| spanfill(outline, self.edges, self.frame)),
             ab_glyph: self.counter.count(outlines, |outline| {
                 ab_glyph(outline, &mut self.rasterizer, self.mask, self.frame);
             }),
@@ -279,8 +276,8 @@ fn assert_similar(frame: &Frame, other: &Frame) {
     assert!(others * 50 < drawn, "{others} of {drawn} pixels are not the same");
 }
 
-fn spanfill(outline: &Outline, edges: &mut [CoverageEdge], cells: &mut [Cell], frame: &mut Frame) {
-    let cover = outline.polygon.coverage_in(edges, cells).expect("there is enough for each outline");
+fn spanfill(outline: &Outline, edges: &mut [CoverageEdge], frame: &mut Frame) {
+    let cover = outline.polygon.coverage_in(edges).expect("there is enough for each outline");
     let Ok(()) = cover.antialiased(outline.colour, InPlace).draw_on(frame);
 }
 

@@ -279,9 +279,9 @@ fn draw_polygon(polygon: Polygon<'_>, clip: &PixelRect, display: &mut Display) -
     let mut slots = black_box([ActiveEdge::EMPTY; 16]);
     push(polygon.in_scratch(some_of(&mut slots))?, clip, display);
 
-    cover(&polygon.coverage_with::<8, 32>()?, clip, display);
-    let (mut edges, mut cells) = (black_box([CoverageEdge::EMPTY; 16]), black_box([Cell::EMPTY; 32]));
-    cover(&polygon.coverage_in(some_of(&mut edges), some_of(&mut cells))?, clip, display);
+    cover(&polygon.coverage_with::<8>()?, clip, display);
+    let mut edges = black_box([CoverageEdge::EMPTY; 16]);
+    cover(&polygon.coverage_in(some_of(&mut edges))?, clip, display);
     let (mut edges, mut cells) = (black_box([SampleEdge::EMPTY; 16]), black_box([SampleCell::EMPTY; 32]));
     cover(&polygon.supersampled_in(samples(), some_of(&mut edges), some_of(&mut cells))?, clip, display);
     Ok(())

@@ -127,7 +127,6 @@ const OUTLINE: &[Vertex] = &[
 const POLYGON: Polygon<'static> = Polygon::new(OUTLINE);
 const EDGES: usize = POLYGON.active_edges();
 const COVERAGE_EDGES: usize = POLYGON.coverage_edges();
-const CELLS: usize = 320;
 
 fn vertex(x: i32, y: i32) -> Vertex {
     black_box(Vertex::from_bits(x, y))
@@ -177,7 +176,7 @@ fn draw_shapes(display: &mut Display) {
         cover(circle, display);
     }
     if const { draws("polygon-aa") } {
-        if let Ok(polygon) = polygon().coverage_with::<COVERAGE_EDGES, CELLS>() {
+        if let Ok(polygon) = polygon().coverage_with::<COVERAGE_EDGES>() {
             cover(polygon, display);
         }
     }

@@ -5,7 +5,7 @@ use std::convert::Infallible;
 use embedded_graphics::{image::GetPixel, pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
 use embedded_graphics_simulator::SimulatorDisplay;
 use spanfill::{
-    ActiveEdge, AntiAlias, Cell, Circle, Cover, CoverageEdge, CoverageSink, Fill, Line, Mix, PixelRect, Polygon,
+    ActiveEdge, AntiAlias, Circle, Cover, CoverageEdge, CoverageSink, Fill, Line, Mix, PixelRect, Polygon,
     ReadBack, SampleCell, SampleEdge, Samples, Shape, Span, SpanSink, Triangle, Vertex,
 };
 
@@ -53,7 +53,6 @@ impl<C: PixelColor> DrawTarget for Window<'_, C> {
 pub(crate) struct Scratch {
     edges: Vec<ActiveEdge>,
     coverage_edges: Vec<CoverageEdge>,
-    cells: Vec<Cell>,
     sample_edges: Vec<SampleEdge>,
     sample_cells: Vec<SampleCell>,
 }
@@ -138,7 +137,7 @@ fn by_area<C: Mix>(
             let polygon = Polygon::with_contours(&contours).fill_rule(*rule);
             let needed = polygon.coverage_edges_at_most();
             let edges = at_least(&mut scratch.coverage_edges, needed, CoverageEdge::EMPTY);
-            brush.blend(polygon.coverage_in(edges, at_least(&mut scratch.cells, columns, Cell::EMPTY))?);
+            brush.blend(polygon.coverage_in(edges)?);
         }
     }
     Ok(())

@@ -44,7 +44,7 @@ use crate::blend::Blend;
 /// use spanfill::{Dither, Polygon, Vertex, prelude::*};
 ///
 /// let square = [(0, 0), (4, 0), (4, 4), (0, 4)].map(|(x, y)| Vertex::new(x, y));
-/// let square = Polygon::new(&square).coverage_with::<4, 4>()?;
+/// let square = Polygon::new(&square).coverage_with::<4>()?;
 /// let mut display = MockDisplay::new();
 /// square.antialiased(BinaryColor::On, Dither).opacity(128).draw(&mut display).unwrap();
 /// display.assert_pattern(&[

@@ -15,7 +15,7 @@ use crate::{Blend, Mix, PixelRect, Polygon, PolygonCoverageWith, TooManyEdges, V
 
 use super::{
     Blended,
-    layers::{COLUMNS, Tile, draw_area, draw_layers},
+    layers::{Tile, draw_area, draw_layers},
     paint::Paint,
     pixel_box::{PixelBox, to_i32},
 };
@@ -140,16 +140,13 @@ pub(super) fn radius(size: i64) -> i64 {
 
 /// Adds to a tile what a closed outline covers.
 pub(super) fn add_outline(outline: &[Vertex], clip: &PixelRect, tile: &mut Tile) {
-    const CELLS: usize = COLUMNS.cast_unsigned() as usize;
-    if let Ok(polygon) = covered::<CELLS>(outline) {
+    if let Ok(polygon) = covered(outline) {
         tile.add(&polygon, clip);
     }
 }
 
-/// An outline of which at most eight edges cross a row, as all that are made here; drawn in strips of so many columns.
-pub(super) fn covered<const CELLS: usize>(
-    outline: &[Vertex],
-) -> Result<PolygonCoverageWith<'_, 8, CELLS>, TooManyEdges> {
+/// An outline of which at most eight chains meet a row of pixels, as all that are made here.
+pub(super) fn covered(outline: &[Vertex]) -> Result<PolygonCoverageWith<'_, 8>, TooManyEdges> {
     Polygon::new(outline).coverage_with()
 }
 
@@ -161,7 +158,7 @@ pub(super) fn draw_outline<D: DrawTarget, B: Blend<D>>(
     blended: &Blended<B>,
     target: &mut D,
 ) -> Result<(), D::Error> {
-    match covered::<64>(outline) {
+    match covered(outline) {
         Ok(area) => draw_area(area, colour, blended, target),
         Err(_) => Ok(()),
     }

@@ -15,7 +15,7 @@ use crate::{Blend, Mix, PixelRect, Polygon, Triangle, Vertex, draw::Fill};
 
 use super::{
     Blended,
-    layers::{COLUMNS, Tile, draw_layers, grown, union},
+    layers::{Tile, draw_layers, grown, union},
     normal::Vector,
     paint::{Paint, Stroke},
     stroked::{Sides, each_area},
@@ -135,11 +135,10 @@ impl Together {
 
     #[inline(never)]
     fn add(&self, clip: &PixelRect, tile: &mut Tile) {
-        const CELLS: usize = COLUMNS.cast_unsigned() as usize;
         // There is as much room here as there. (`collect` has a panic in it.)
         let mut contours: Vec<&[Vertex], TOGETHER> = Vec::new();
         self.0.iter().for_each(|area| contours.push(area.as_slice()).unwrap_or_default());
-        if let Ok(polygon) = Polygon::with_contours(&contours).coverage_with::<{ 2 * TOGETHER }, CELLS>() {
+        if let Ok(polygon) = Polygon::with_contours(&contours).coverage_with::<{ 2 * TOGETHER }>() {
             tile.add(&polygon, clip);
         }
     }

@@ -1,23 +1,21 @@
-//! Anti-aliased polygon: strips that are as wide as there are cells.
+//! Anti-aliased polygon.
 
-use core::{cell::Cell as Shared, fmt};
+use core::{cell::Cell, fmt};
 
 use crate::{
     PixelRect, TooManyEdges,
     area::{CoverageEdge, Inside, send_contours},
     contours::Rows,
-    coverage::{Cell, CoverageSink},
-    error::TooLittleScratch,
+    coverage::CoverageSink,
     geometry::touched,
-    limits::ONE,
     shape::{Cover, Polygon},
-    span::clip_range,
 };
 
 impl<'a> Polygon<'a> {
-    /// How much scratch the anti-aliased outline needs: the most edges that cross one row of 1/256 pixel.
+    /// How much scratch the anti-aliased outline needs: the most chains that have a part in one row of pixels.
     ///
-    /// As [`active_edges`](Self::active_edges), which counts rows of pixel centres, it is meant for constants.
+    /// A chain is a run of edges that follow each other downwards. As [`active_edges`](Self::active_edges), it takes a pass
+    /// over the vertices for each of them, and is meant for constants.
     pub const fn coverage_edges(&self) -> usize {
         self.contours.most_in_a_row()
     }
@@ -32,17 +30,10 @@ impl<'a> Polygon<'a> {
     ///
     /// # Errors
     ///
-    /// When there are fewer slots than the outline has [`coverage_edges`](Self::coverage_edges), or not a single cell.
-    pub fn coverage_in<'s>(
-        self,
-        edges: &'s mut [CoverageEdge],
-        cells: &'s mut [Cell],
-    ) -> Result<PolygonCoverageIn<'a, 's>, TooLittleScratch> {
+    /// When there are fewer slots than the outline has [`coverage_edges`](Self::coverage_edges).
+    pub fn coverage_in(self, edges: &mut [CoverageEdge]) -> Result<PolygonCoverageIn<'a, '_>, TooManyEdges> {
         self.check_coverage(edges.len())?;
-        if cells.is_empty() {
-            return Err(TooLittleScratch::NoCells);
-        }
-        Ok(PolygonCoverageIn { polygon: self, edges: Shared::new(edges), cells: Shared::new(cells) })
+        Ok(PolygonCoverageIn { polygon: self, edges: Cell::new(edges) })
     }
 
     /// Takes scratch for anti-aliasing from the stack, while drawing.
@@ -50,10 +41,7 @@ impl<'a> Polygon<'a> {
     /// # Errors
     ///
     /// When the outline has more than `EDGES` [`coverage_edges`](Self::coverage_edges).
-    pub const fn coverage_with<const EDGES: usize, const CELLS: usize>(
-        self,
-    ) -> Result<PolygonCoverageWith<'a, EDGES, CELLS>, TooManyEdges> {
-        const { assert!(CELLS > 0, "there must be a cell") };
+    pub const fn coverage_with<const EDGES: usize>(self) -> Result<PolygonCoverageWith<'a, EDGES>, TooManyEdges> {
         match self.check_coverage(EDGES) {
             Ok(()) => Ok(PolygonCoverageWith { polygon: self }),
             Err(error) => Err(error),
@@ -76,10 +64,8 @@ impl<'a> Polygon<'a> {
         &self,
         clip: &PixelRect,
         edges: &mut [CoverageEdge],
-        cells: &mut [Cell],
         sink: &mut S,
     ) -> Result<(), S::Error> {
-        let _ = cells;
         send_contours(self.contours, Inside { mask: self.fill_rule.mask() }, clip, edges, sink)
     }
 }
@@ -87,9 +73,8 @@ impl<'a> Polygon<'a> {
 /// A polygon with scratch of the caller's to be anti-aliased in.
 pub struct PolygonCoverageIn<'a, 's> {
     polygon: Polygon<'a>,
-    /// Both are taken while drawing.
-    edges: Shared<&'s mut [CoverageEdge]>,
-    cells: Shared<&'s mut [Cell]>,
+    /// Taken while drawing.
+    edges: Cell<&'s mut [CoverageEdge]>,
 }
 
 impl fmt::Debug for PolygonCoverageIn<'_, '_> {
@@ -104,27 +89,26 @@ impl Cover for PolygonCoverageIn<'_, '_> {
     }
 
     fn coverage<S: CoverageSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
-        let (edges, cells) = (self.edges.take(), self.cells.take());
-        let result = self.polygon.cover(clip, edges, cells, sink);
+        let edges = self.edges.take();
+        let result = self.polygon.cover(clip, edges, sink);
         self.edges.set(edges);
-        self.cells.set(cells);
         result
     }
 }
 
-/// A polygon that is anti-aliased in scratch on the stack, for `EDGES` active edges and a strip of `CELLS` columns.
+/// A polygon that is anti-aliased in scratch on the stack, for `EDGES` active edges.
 #[derive(Debug, Clone, Copy)]
-pub struct PolygonCoverageWith<'a, const EDGES: usize, const CELLS: usize> {
+pub struct PolygonCoverageWith<'a, const EDGES: usize> {
     polygon: Polygon<'a>,
 }
 
-impl<const EDGES: usize, const CELLS: usize> Cover for PolygonCoverageWith<'_, EDGES, CELLS> {
+impl<const EDGES: usize> Cover for PolygonCoverageWith<'_, EDGES> {
     fn touched(&self) -> PixelRect {
         self.polygon.touched()
     }
 
     fn coverage<S: CoverageSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
         let mut edges = [CoverageEdge::EMPTY; EDGES];
-        self.polygon.cover(clip, &mut edges, &mut [Cell::EMPTY; CELLS], sink)
+        self.polygon.cover(clip, &mut edges, sink)
     }
 }

@@ -79,7 +79,7 @@ use crate::{
 /// #     Vertex::from_bits(2 * 256, 2 * 256),
 /// # ]);
 /// let mut display = MockDisplay::new();
-/// let arrow = ARROW.coverage_with::<{ ARROW.coverage_edges() }, 64>()?;
+/// let arrow = ARROW.coverage_with::<{ ARROW.coverage_edges() }>()?;
 /// arrow.antialiased(Gray4::WHITE, Over(Gray4::BLACK)).draw(&mut display)?;
 /// display.assert_pattern(&["561  ", " 8E93", " 8E93", "561  "]);
 /// # Ok::<(), Box<dyn core::error::Error>>(())

@@ -7,7 +7,7 @@ use std::{
     sync::atomic::{AtomicU64, Ordering},
 };
 
-use spanfill::{Cell, Cover, CoverageEdge, CoverageSink, PixelRect, Span};
+use spanfill::{Cover, CoverageEdge, CoverageSink, PixelRect, Span};
 
 use super::{
     area::{Area, HasArea},
@@ -187,20 +187,19 @@ pub(crate) fn coverage_within(shape: &impl Cover, clip: &PixelRect, window: &Pix
     sink.grid
 }
 
-/// The polygon in scratch of exactly the size it asks for and a cell for each column that it can have in the clip.
+/// The polygon in scratch of exactly the size it asks for.
 impl Cover for Outline {
     fn touched(&self) -> PixelRect {
         self.with_polygon(|polygon| {
             let mut edges = vec![CoverageEdge::EMPTY; polygon.coverage_edges()];
-            polygon.coverage_in(&mut edges, &mut [Cell::EMPTY]).expect("scratch of the size asked for").touched()
+            polygon.coverage_in(&mut edges).expect("scratch of the size asked for").touched()
         })
     }
 
     fn coverage<S: CoverageSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
         self.with_polygon(|polygon| {
             let mut edges = vec![CoverageEdge::EMPTY; polygon.coverage_edges()];
-            let mut cells = vec![Cell::EMPTY; length(&clip.columns).clamp(1, 1 << 12)];
-            polygon.coverage_in(&mut edges, &mut cells).expect("scratch of the size asked for").coverage(clip, sink)
+            polygon.coverage_in(&mut edges).expect("scratch of the size asked for").coverage(clip, sink)
         })
     }
 }

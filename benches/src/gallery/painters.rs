@@ -10,7 +10,7 @@ use embedded_graphics::{
     prelude::*,
 };
 use spanfill::{
-    ActiveEdge, AntiAlias, Cell, Cover, CoverageEdge, CoverageSink, Fill, FillRule, InPlace, PixelRect, Polygon, Span,
+    ActiveEdge, AntiAlias, Cover, CoverageEdge, CoverageSink, Fill, FillRule, InPlace, PixelRect, Polygon, Span,
     Vertex,
 };
 use tiny_skia::{Paint, Path, PathBuilder, Pixmap, Shader, Transform};
@@ -84,17 +84,16 @@ fn frame_pixels(frame: &Frame) -> Vec<[u8; 3]> {
 /// The caller's: enough for any of the drawing's outlines.
 struct Scratch {
     edges: Vec<CoverageEdge>,
-    cells: [Cell; FRAME_WIDTH as usize],
 }
 
 impl Scratch {
     fn new(outlines: &[Outline]) -> Self {
         let edges = outlines.iter().map(|outline| outline.polygon.coverage_edges_at_most()).max().unwrap_or(0);
-        Self { edges: vec![CoverageEdge::EMPTY; edges], cells: [Cell::EMPTY; FRAME_WIDTH as usize] }
+        Self { edges: vec![CoverageEdge::EMPTY; edges] }
     }
 
     fn cover(&mut self, outline: &Outline) -> impl Cover {
-        outline.polygon.coverage_in(&mut self.edges, &mut self.cells).expect("there is enough for each outline")
+        outline.polygon.coverage_in(&mut self.edges).expect("there is enough for each outline")
     }
 }
 

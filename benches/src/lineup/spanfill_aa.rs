@@ -4,7 +4,7 @@ use std::{convert::Infallible, ops::Range};
 
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 use spanfill::{
-    AntiAlias, Cell, Circle, Cover, CoverageEdge, CoverageSink, InPlace, Line, Mix, Over, PixelRect, Polygon,
+    AntiAlias, Circle, Cover, CoverageEdge, CoverageSink, InPlace, Line, Mix, Over, PixelRect, Polygon,
     SampleCell, SampleEdge, Span, Triangle, Vertex,
 };
 
@@ -54,7 +54,6 @@ pub(super) trait CoverVisitor {
 /// The caller's, kept from one drawing to the next: enough for any outline here, in one pass over all the columns.
 pub(super) struct Scratch {
     edges: [CoverageEdge; 64],
-    cells: [Cell; FRAME_WIDTH as usize],
     pub(super) sample_edges: [SampleEdge; 64],
     pub(super) sample_cells: [SampleCell; FRAME_WIDTH as usize],
 }
@@ -63,7 +62,6 @@ impl Scratch {
     const fn new() -> Self {
         Self {
             edges: [CoverageEdge::EMPTY; 64],
-            cells: [Cell::EMPTY; FRAME_WIDTH as usize],
             sample_edges: [SampleEdge::EMPTY; 64],
             sample_cells: [SampleCell::EMPTY; FRAME_WIDTH as usize],
         }
@@ -109,7 +107,7 @@ impl<const N: usize> Figure for OutlineFigure<N> {
     #[inline]
     fn cover<V: CoverVisitor>(&self, scratch: &mut Scratch, visitor: V) {
         let outline = self.0.map(|[x, y]| Vertex::from_bits(x, y));
-        let polygon = Polygon::new(&outline).coverage_in(&mut scratch.edges, &mut scratch.cells);
+        let polygon = Polygon::new(&outline).coverage_in(&mut scratch.edges);
         visitor.visit(polygon.expect("there is enough for any outline here"));
     }
 }

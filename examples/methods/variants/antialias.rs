@@ -3,7 +3,7 @@
 use core::convert::Infallible;
 
 use spanfill::{
-    Cell, Cover, CoverageEdge, FillRule, FragmentSink, Line, PixelRect, Polygon, SampleCell, SampleEdge, Samples,
+    Cover, CoverageEdge, FillRule, FragmentSink, Line, PixelRect, Polygon, SampleCell, SampleEdge, Samples,
     Triangle, Vertex,
     methods::{
         antialias::{
@@ -162,9 +162,9 @@ fn shipped<S: FragmentSink<Error = Infallible>>(scene: &Scene, clip: &PixelRect,
         Scene::Triangle(vertices) => drawn(Triangle::from_vertices(*vertices).coverage(clip, &mut Fragments(sink))),
         Scene::Line([start, end]) => drawn(Line::new(*start, *end).coverage(clip, &mut Fragments(sink))),
         Scene::Polygon(contours, fill_rule) => {
-            let (mut edges, mut cells) = ([CoverageEdge::EMPTY; EDGES], [Cell::EMPTY; COLUMNS]);
+            let mut edges = [CoverageEdge::EMPTY; EDGES];
             let polygon = Polygon::with_contours(contours).fill_rule(*fill_rule);
-            let polygon = polygon.coverage_in(&mut edges, &mut cells).map_err(|_| NO_SCRATCH)?;
+            let polygon = polygon.coverage_in(&mut edges).map_err(|_| NO_SCRATCH)?;
             drawn(polygon.coverage(clip, &mut Fragments(sink)))
         }
         Scene::Texture { .. } => Err(NO_OUTLINE),
