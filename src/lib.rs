@@ -9,7 +9,7 @@
 //! Shape -clip-> Edge -one step a row-> Span, or a block of equal rows -> colour -> DrawTarget::fill_solid
 //! Cover -clip-> edges and cells -a row of pixels-> Span, run of coverage -> Blend -> fill_solid, fill_contiguous
 //!
-//! limits · subpixel · geometry, fragment · turn · edge · span, error · coverage · shape, target · blend · draw · eg · methods
+//! limits · subpixel · geometry, fragment · turn · edge · span, error · coverage · shape, target · blend · draw · framebuffer · eg · methods
 //! ```
 //!
 //! A module uses only what stands to its left. Shapes know no colours and no targets: they push [`Span`]s or blocks
@@ -106,6 +106,7 @@ mod edge;
 pub mod eg;
 mod error;
 mod fragment;
+mod framebuffer;
 mod geometry;
 mod limits;
 pub mod methods;
@@ -128,6 +129,9 @@ pub use draw::{AntiAlias, AntiAliased, Fill, Filled};
 pub use error::{TooLittleScratch, TooManyEdges};
 pub use fixed::types::I24F8;
 pub use fragment::{Fragment, FragmentSink};
+pub use framebuffer::{
+    Framebuffer, FramebufferError, Layout, LsbFirst, MsbFirst, Order, PackedColor, Pages, Rows, Values, buffer_size,
+};
 pub use geometry::{PixelRect, Vertex};
 pub use shape::{
     ActiveEdge, ActiveEdges, Circle, Cover, CoverageEdge, FillRule, Line, Polygon, PolygonCoverageIn,
@@ -135,7 +139,7 @@ pub use shape::{
     Triangle,
 };
 pub use span::{BlockSink, Span, SpanSink};
-pub use target::PixelRows;
+pub use target::{Canvas, PixelRows};
 pub use turn::Turn;
 
 /// The traits that a program which draws needs in scope.

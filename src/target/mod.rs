@@ -1,5 +1,9 @@
 //! Targets in memory.
 
+mod canvas;
+
+pub use canvas::Canvas;
+
 use embedded_graphics_core::{draw_target::DrawTarget, geometry::Point};
 
 /// A draw target whose pixels are in memory, row by row, each as a value of the target's colour: a framebuffer, a band of

@@ -1,0 +1,18 @@
+//! Targets in memory that fill where a shape is walked.
+
+use embedded_graphics_core::draw_target::DrawTarget;
+
+use crate::span::BlockSink;
+
+/// A draw target in memory that takes the blocks of a shape without a call of `fill_solid` for each: what
+/// [`Filled::draw_on`](crate::Filled::draw_on) draws on.
+///
+/// ```text
+///   draw      shape -block-> fill_solid -clip-> rows of memory       any target
+///   draw_on   shape -block-> rows of memory                          a canvas: the shape has been clipped already
+/// ```
+pub trait Canvas: DrawTarget {
+    /// What fills blocks in a colour, each of which lies inside the bounding box; what is outside may be left out, and costs
+    /// no other pixel its colour.
+    fn solid(&mut self, colour: Self::Color) -> impl BlockSink<Error = Self::Error>;
+}
