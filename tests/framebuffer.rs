@@ -385,23 +385,33 @@ fn what_cannot_be_is_refused_with_the_numbers() {
     assert_eq!(pages(14).unwrap_err().to_string(), "a height of 14 rows is not a multiple of the 4 rows of a page");
 }
 
-/// Blocks from outside of a canvas do not come from shapes, and leave every pixel as it is.
+/// Blocks from outside of a canvas do not come from shapes; whatever they do to its pixels, nothing panics and no memory behind
+/// it changes.
 #[test]
-fn a_canvas_leaves_out_what_is_outside() {
+fn a_canvas_takes_any_block() {
     use spanfill::BlockSink as _;
-    let mut frame = Framebuffer::<Gray8, Rows<MsbFirst>, _>::new([0; 64], Size::new(8, 8)).unwrap();
-    for (rows, columns) in [
-        (0..9, 0..1),
-        (-1..1, 0..1),
-        (0..1, -1..1),
-        (0..1, 7..9),
-        (0..1, i32::MIN..i32::MAX),
-        (3..2, 0..1),
-        (2..3, 5..4),
-    ] {
-        let Ok(()) = frame.solid(Gray8::WHITE).block(rows, columns);
+    fn check<L: Layout<Gray2, Unit = u8>>() {
+        let mut memory = [0; 40];
+        let mut frame = Framebuffer::<Gray2, L, _>::new(&mut memory[..32], Size::new(16, 8)).unwrap();
+        for (rows, columns) in [
+            (0..9, 0..1),
+            (-1..1, 0..1),
+            (0..1, -1..1),
+            (0..1, 15..17),
+            (0..1, i32::MIN..i32::MAX),
+            (i32::MAX - 1..i32::MAX, 3..5),
+            (i32::MIN..i32::MIN + 1, 3..5),
+            (2..3, std::ops::Range { start: 5, end: 4 }),
+            (2..3, i32::MAX - 1..i32::MAX),
+        ] {
+            let Ok(()) = frame.solid(Gray2::WHITE).block(rows, columns);
+        }
+        assert_eq!(memory[32..], [0; 8]);
     }
-    assert_eq!(frame.units(), [0; 64]);
+    check::<Rows<MsbFirst>>();
+    check::<Rows<LsbFirst>>();
+    check::<Pages<LsbFirst>>();
+    check::<Pages<MsbFirst>>();
 }
 
 static BLANK: Framebuffer<Rgb888, Rows<MsbFirst>, [u8; 60]> = Framebuffer::blank::<5, 4>();

@@ -23,7 +23,7 @@ use embedded_graphics::{
         raw::{BigEndian, RawU16},
     },
     prelude::*,
-    primitives::{self as eg, PrimitiveStyle, Rectangle},
+    primitives::{self as eg, PrimitiveStyle},
 };
 use panic_semihosting as _;
 use spanfill::{
@@ -74,28 +74,129 @@ fn main() -> ! {
     writeln!(
         host,
         "\n| shape on RGB565 in bytes | embedded-graphics | its own framebuffer | `draw` | `draw_on` | \
-         embedded-graphics / `draw_on` | values, `draw_on` | anti-aliased, `ReadBack` | `InPlace` | values, `InPlace` |\n\
-         |---|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
+         embedded-graphics / `draw_on` | values, `draw_on` | walk alone | anti-aliased, `ReadBack` | `InPlace` | values, `InPlace` |\n\
+         |---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
     )
     .expect("text");
+    let mut bench = Bench { counter, packed, values, of_eg };
     let filled = PrimitiveStyle::with_fill(COLOUR);
     let pixel = |[x, y]: PixelPoint| Point::new(x, y);
-    for scene in Scene::ALL {
-        let mut row = |theirs: &[_], ours: &[_]| {
-            shapes(host, scene, &mut counter, (packed, values, of_eg), theirs, ours);
-        };
-        match scene {
-            Scene::Triangles(px) => {
-                let theirs = triangles(px).map(|v| v.map(pixel));
-                let theirs: [_; SHAPES] =
-                    take(theirs.map(|[a, b, c]| Theirs::Triangle(eg::Triangle::new(a, b, c).into_styled(filled))));
-                let ours = triangles(px).map(|v| v.map(pixel)).map(|[a, b, c]| Triangle::new(a, b, c));
-                let ours: [_; SHAPES] = take(ours);
-                shapes(host, scene, &mut counter, (packed, values, of_eg), &theirs, &ours);
-            }
-            _ => {}
-        }
+    for px in [10, 50, 200] {
+        let theirs = triangles(px).map(|vertices| vertices.map(pixel));
+        let theirs = theirs.map(|[a, b, c]| eg::Triangle::new(a, b, c).into_styled(filled));
+        let ours = triangles(px).map(|vertices| vertices.map(pixel)).map(|[a, b, c]| Triangle::new(a, b, c));
+        bench.compare(host, Scene::Triangles(px), theirs, ours);
+    }
+    for px in [5, 20, 100] {
+        let theirs = circles(px)
+            .map(|[x, y]| eg::Circle::new(Point::new(x - px, y - px), 2 * px.unsigned_abs()).into_styled(filled));
+        let ours = circles(px).map(|[x, y]| Circle::new(Vertex::new(x, y), px));
+        bench.compare(host, Scene::Circles(px), theirs, ours);
+    }
+    let thin = PrimitiveStyle::with_stroke(COLOUR, 1);
+    for px in [50, 200] {
+        let theirs = lines(px).map(|ends| ends.map(pixel)).map(|[a, b]| eg::Line::new(a, b).into_styled(thin));
+        let ours = lines(px).map(|ends| ends.map(pixel)).map(|[a, b]| Line::new(a, b));
+        bench.compare(host, Scene::Lines(px), theirs, ours);
     }
     debug::exit(debug::EXIT_SUCCESS);
     unreachable!("the host has ended this program");
+}
+
+fn clear<D: DrawTarget>(
+    host: &mut HostStream,
+    name: &str,
+    counter: &mut InstructionCounter,
+    target: &mut D,
+    colour: D::Color,
+) {
+    let instructions = counter.count(&[colour; 8], |colour| {
+        assert!(target.clear(*colour).is_ok());
+    }) / 8;
+    let thousandths = u64::from(instructions) * 1000 / SIZE as u64;
+    writeln!(host, "| {name} | {instructions} | {}.{:03} |", thousandths / 1000, thousandths % 1000).expect("text");
+}
+
+struct Bench {
+    counter: InstructionCounter,
+    packed: &'static mut Packed,
+    values: &'static mut InValues,
+    of_eg: &'static mut OfEg,
+}
+
+impl Bench {
+    fn compare<S: Copy + Shape + Cover>(
+        &mut self,
+        host: &mut HostStream,
+        scene: Scene,
+        theirs: impl Iterator<Item = impl Drawable<Color = Rgb565>>,
+        ours: impl Iterator<Item = S>,
+    ) {
+        let theirs: [_; SHAPES] = take(theirs);
+        let ours: [S; SHAPES] = take(ours);
+        let Self { counter, packed, values, of_eg } = self;
+        let mut of_eg_there = counter.count(&theirs, |shape| {
+            let Ok(_) = shape.draw(*of_eg);
+        });
+        let mut of_eg_here = counter.count(&theirs, |shape| {
+            let Ok(_) = shape.draw(*packed);
+        });
+        let mut drawn = counter.count(&ours, |shape| {
+            let Ok(()) = shape.filled(COLOUR).draw(*packed);
+        });
+        let mut drawn_on = counter.count(&ours, |shape| {
+            let Ok(()) = shape.filled(COLOUR).draw_on(*packed);
+        });
+        let mut on_values = counter.count(&ours, |shape| {
+            let Ok(()) = shape.filled(COLOUR).draw_on(*values);
+        });
+        for count in [&mut of_eg_there, &mut of_eg_here, &mut drawn, &mut drawn_on, &mut on_values] {
+            *count /= SHAPES as u32;
+        }
+        let clip = spanfill::PixelRect { rows: 0..240, columns: 0..320 };
+        let mut nothing = Nothing(0);
+        let walked = counter.count(&ours, |shape| {
+            let Ok(()) = shape.blocks(&clip, &mut nothing);
+        }) / SHAPES as u32;
+        core::hint::black_box(nothing.0);
+        let few = &ours[..64];
+        let read_back = counter.count(few, |shape| {
+            let Ok(()) = shape.antialiased(COLOUR, ReadBack).draw_on(*packed);
+        }) / 64;
+        let in_place = counter.count(few, |shape| {
+            let Ok(()) = shape.antialiased(COLOUR, InPlace).draw_on(*packed);
+        }) / 64;
+        let in_values = counter.count(few, |shape| {
+            let Ok(()) = shape.antialiased(COLOUR, InPlace).draw_on(*values);
+        }) / 64;
+        let hundredths = of_eg_here * 100 / drawn_on;
+        writeln!(
+            host,
+            "| {}, {} {} px | {of_eg_here} | {of_eg_there} | {drawn} | {drawn_on} | {}.{:02} | {on_values} | {walked} | {read_back} | \
+             {in_place} | {in_values} |",
+            scene.name(),
+            scene.size_name(),
+            scene.size_px(),
+            hundredths / 100,
+            hundredths % 100,
+        )
+        .expect("text");
+    }
+}
+
+/// Takes blocks and fills nothing: the walk's own cost.
+struct Nothing(i32);
+
+impl spanfill::BlockSink for Nothing {
+    type Error = core::convert::Infallible;
+
+    #[inline(always)]
+    fn block(&mut self, rows: core::ops::Range<i32>, columns: core::ops::Range<i32>) -> Result<(), Self::Error> {
+        self.0 = self.0.wrapping_add(rows.end ^ rows.start ^ columns.end ^ columns.start);
+        Ok(())
+    }
+}
+
+fn take<T, const N: usize>(mut shapes: impl Iterator<Item = T>) -> [T; N] {
+    core::array::from_fn(|_| shapes.next().expect("the scenes are endless"))
 }

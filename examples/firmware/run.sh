@@ -17,6 +17,7 @@ Commands:
   cycles [--csv OUT] [--readme FILE]
                      Runs `cycles` on an emulated Cortex-M4: a table of instructions a shape. The CSV rows follow the
                      table, or go to OUT. In FILE, the table replaces what stands between its two `cycles` markers.
+  frame              Runs `frame_cycles` on the same: what the crate's framebuffers cost, in instructions.
 
 Environment:
   SPANFILL_TOOLCHAIN   `rustup`: the toolchain in use, with rustup's targets, which are added where they are missing.
@@ -109,6 +110,7 @@ build_everything() {
     done
     build_oled >/dev/null
     build_cycles >/dev/null
+    build_frame >/dev/null
     echo "run.sh: linking no_panic, which fails if the library has a panic path" >&2
     # Every shape with every blending is more than the board has room for, and need not run.
     build_firmware no_panic thumbv7m-none-eabi --features embedded-graphics \
@@ -121,6 +123,10 @@ build_oled() {
 
 build_cycles() {
     build_firmware cycles thumbv7em-none-eabi
+}
+
+build_frame() {
+    build_firmware frame_cycles thumbv7em-none-eabi
 }
 
 # --- Running ---------------------------------------------------------------------------------------------------------
@@ -178,6 +184,14 @@ await_reply() {
     fail "QEMU's monitor does not answer"
 }
 
+run_frame() {
+    need qemu-system-arm qemu-system-arm
+    local elf
+    elf=$(build_frame)
+    timeout 300 qemu-system-arm -machine mps2-an386 -icount shift=0 -nographic \
+        -semihosting-config enable=on,target=native -kernel "$elf" </dev/null || fail "the firmware failed"
+}
+
 run_cycles() {
     local csv= readme=
     while (($#)); do
@@ -227,7 +241,7 @@ case $command in
     usage
     exit
     ;;
-build | oled | cycles) ;;
+build | oled | cycles | frame) ;;
 *) fail "there is no '$command'; see --help" ;;
 esac
 
@@ -256,4 +270,5 @@ case $command in
 build) build_everything ;;
 oled) run_oled "$(in_caller_dir "${1:-oled.png}")" ;;
 cycles) run_cycles "$@" ;;
+frame) run_frame ;;
 esac

@@ -47,7 +47,7 @@ impl<C: PackedColor, O: Order> Layout<C> for Pages<O> {
         if C::BITS >= 8 {
             return <Rows<O> as Layout<C>>::fill(bytes, line, columns, rows, ink);
         }
-        if let Some(bytes) = bytes.get_mut(line + columns.start..line + columns.end) {
+        if let Some(bytes) = bytes.get_mut(line.wrapping_add(columns.start)..line.wrapping_add(columns.end)) {
             fill_masked(bytes, rows_mask::<O>(rows.start * C::BITS..rows.end * C::BITS), ink);
         }
     }

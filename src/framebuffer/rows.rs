@@ -70,7 +70,8 @@ impl<C: PackedColor, O: Order> Layout<C> for Rows<O> {
             return fill_bits::<C, O>(bytes, line, columns, ink);
         }
         let size = C::BITS as usize / 8;
-        let range = line + columns.start * size..line + columns.end * size;
+        let place = |column: usize| line.wrapping_add(column.wrapping_mul(size));
+        let range = place(columns.start)..place(columns.end);
         if let Some(bytes) = bytes.get_mut(range) {
             if C::BITS == 24 {
                 fill_threes(bytes, to_bytes::<C, O, 3>(C::from_bits(ink)));
@@ -161,7 +162,8 @@ fn change_whole<C: PackedColor, O: Order, const N: usize>(
 /// ```
 #[inline(always)]
 fn fill_bits<C: PackedColor, O: Order>(bytes: &mut [u8], line: usize, columns: Range<usize>, ink: u32) {
-    let (start, end) = (columns.start * C::BITS as usize, columns.end * C::BITS as usize);
+    let bit = |column: usize| column.wrapping_mul(C::BITS as usize);
+    let (start, end) = (bit(columns.start), bit(columns.end));
     let from = |bit: usize| if O::MSB_FIRST { 0xFF >> (bit % 8) } else { 0xFF << (bit % 8) };
     let (head, tail): (u8, u8) = (from(start), !from(end));
     let [byte, ..] = ink.to_ne_bytes();
@@ -170,7 +172,7 @@ fn fill_bits<C: PackedColor, O: Order>(bytes: &mut [u8], line: usize, columns: R
             *place = *place & !mask | byte & mask;
         }
     };
-    let (mut first, last) = (line + start / 8, line + end / 8);
+    let (mut first, last) = (line.wrapping_add(start / 8), line.wrapping_add(end / 8));
     if first == last {
         if start < end {
             put(bytes.get_mut(first), head & tail);

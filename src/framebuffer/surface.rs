@@ -2,7 +2,12 @@
 
 use core::{convert::Infallible, fmt, ops::Range};
 
-use embedded_graphics_core::{Pixel, geometry::Point, pixelcolor::PixelColor, primitives::Rectangle};
+use embedded_graphics_core::{
+    Pixel,
+    geometry::{Point, Size},
+    pixelcolor::PixelColor,
+    primitives::Rectangle,
+};
 
 use crate::{
     PixelRect,
@@ -62,8 +67,23 @@ impl<'u, C: PixelColor, L: Layout<C>> Surface<'u, C, L> {
         (local(&area.rows, &bounds.rows), local(&area.columns, &bounds.columns))
     }
 
+    /// What lies on the surface, as nearly everything does, costs four comparisons.
     #[inline(always)]
     pub(crate) fn fill_solid(&mut self, area: &Rectangle, colour: C) {
+        let Size { width, height } = area.size;
+        match self.local(area.top_left) {
+            Some((column, row)) if width <= self.grid.width - column && height <= self.grid.height - row => {
+                if width > 0 {
+                    self.fill_block(row..row + height, column..column + width, L::ink(colour));
+                }
+            }
+            _ => self.fill_solid_clipped(area, colour),
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn fill_solid_clipped(&mut self, area: &Rectangle, colour: C) {
         let (rows, columns) = self.clip(area);
         if !rows.is_empty() && !columns.is_empty() {
             self.fill_block(rows, columns, L::ink(colour));
@@ -95,25 +115,18 @@ impl<'u, C: PixelColor, L: Layout<C>> Surface<'u, C, L> {
         }
     }
 
-    /// Fills line by line where several rows share one: the first and the last may be filled in part.
+    /// As good as one are full pages, too, that follow each other without a gap.
     #[inline(always)]
     fn fill_pages(&mut self, rows: Range<u32>, columns: Range<u32>, ink: L::Ink) {
         let Grid { stride, width, skip, .. } = self.grid;
-        let (mut row, end) = (rows.start + skip, rows.end + skip);
-        let full = (end / L::LINE_ROWS).saturating_sub(row / L::LINE_ROWS);
-        if row.is_multiple_of(L::LINE_ROWS) && full > 0 && columns == (0..width) && width as usize == stride {
-            let start = (row / L::LINE_ROWS) as usize * stride;
-            L::fill(self.units, start, 0..full as usize * stride, 0..L::LINE_ROWS, ink);
-            row += full * L::LINE_ROWS;
+        let (mut start, end) = (rows.start + skip, rows.end + skip);
+        let full = (end / L::LINE_ROWS).saturating_sub(start / L::LINE_ROWS);
+        if start.is_multiple_of(L::LINE_ROWS) && full > 0 && columns == (0..width) && width as usize == stride {
+            let line = (start / L::LINE_ROWS) as usize * stride;
+            L::fill(self.units, line, 0..full as usize * stride, 0..L::LINE_ROWS, ink);
+            start += full * L::LINE_ROWS;
         }
-        let columns = columns.start as usize..columns.end as usize;
-        while row < end {
-            let page = row / L::LINE_ROWS;
-            let first = row % L::LINE_ROWS;
-            let last = (end - page * L::LINE_ROWS).min(L::LINE_ROWS);
-            L::fill(self.units, page as usize * stride, columns.clone(), first..last, ink);
-            row += last - first;
-        }
+        fill_pages::<C, L>(self.units, stride, start..end, &(columns.start as usize..columns.end as usize), ink);
     }
 
     /// `colours` are those of the whole area, on the surface or not, row by row; it may end early.
@@ -169,7 +182,15 @@ impl<'u, C: PixelColor, L: Layout<C>> Surface<'u, C, L> {
     /// What fills the blocks of a shape.
     #[inline(always)]
     pub(crate) fn solid(self, colour: C) -> SolidBlocks<'u, C, L> {
-        SolidBlocks { surface: self, ink: L::ink(colour) }
+        let Self { units, grid: Grid { stride, skip, .. }, top_left: Point { x, y } } = self;
+        let (above, before) = if L::LINE_ROWS > 1 { (skip, 0) } else { (0, skip) };
+        SolidBlocks {
+            units,
+            stride,
+            rows_before: above.wrapping_sub(y.cast_unsigned()),
+            columns_before: before.wrapping_sub(x.cast_unsigned()),
+            ink: L::ink(colour),
+        }
     }
 }
 
@@ -193,28 +214,55 @@ fn skip(colours: &mut impl Iterator, count: u32) {
 }
 
 /// Blocks to memory, in one colour.
+///
+/// Little enough for registers. Shapes send what lies in the clip, so nothing is compared but with the memory's end; numbers
+/// wrap where somebody else sends what does not.
 pub(crate) struct SolidBlocks<'u, C: PixelColor, L: Layout<C>> {
-    surface: Surface<'u, C, L>,
+    units: &'u mut [L::Unit],
+    stride: usize,
+    /// To be added to a row, and to a column.
+    rows_before: u32,
+    columns_before: u32,
     ink: L::Ink,
 }
 
 impl<C: PixelColor, L: Layout<C>> BlockSink for SolidBlocks<'_, C, L> {
     type Error = Infallible;
 
-    /// Shapes send what lies in the clip; anything else is a huge unsigned number on one side, and left out.
     #[inline(always)]
     fn block(&mut self, rows: Range<i32>, columns: Range<i32>) -> Result<(), Infallible> {
-        let Self { ref mut surface, ink } = *self;
-        let Point { x, y } = surface.top_left;
-        let local = |range: Range<i32>, first: i32| {
-            range.start.wrapping_sub(first).cast_unsigned()..range.end.wrapping_sub(first).cast_unsigned()
-        };
-        let (rows, columns) = (local(rows, y), local(columns, x));
-        let is_inside = columns.end <= surface.grid.width && rows.end <= surface.grid.height;
-        if is_inside && columns.start < columns.end && rows.start < rows.end {
-            surface.fill_block(rows, columns, ink);
+        let Self { ref mut units, stride, rows_before, columns_before, ink } = *self;
+        let row = |row: i32| row.cast_unsigned().wrapping_add(rows_before);
+        let column = |column: i32| column.cast_unsigned().wrapping_add(columns_before) as usize;
+        let columns = column(columns.start)..column(columns.end);
+        if L::LINE_ROWS > 1 {
+            fill_pages::<C, L>(units, stride, row(rows.start)..row(rows.end), &columns, ink);
+            return Ok(());
+        }
+        let mut line = (row(rows.start) as usize).wrapping_mul(stride);
+        for _ in rows {
+            L::fill(units, line, columns.clone(), 0..1, ink);
+            line = line.wrapping_add(stride);
         }
         Ok(())
+    }
+}
+
+/// Fills line by line where several rows share one: the first and the last may be filled in part.
+#[inline(always)]
+fn fill_pages<C: PixelColor, L: Layout<C>>(
+    units: &mut [L::Unit],
+    stride: usize,
+    rows: Range<u32>,
+    columns: &Range<usize>,
+    ink: L::Ink,
+) {
+    let mut row = rows.start;
+    while row < rows.end {
+        let (page, first) = (row / L::LINE_ROWS, row % L::LINE_ROWS);
+        let count = (rows.end - row).min(L::LINE_ROWS - first);
+        L::fill(units, (page as usize).wrapping_mul(stride), columns.clone(), first..first + count, ink);
+        row += count;
     }
 }
 

@@ -40,8 +40,9 @@ impl<C: PixelColor, L: Layout<C>, S: AsRef<[L::Unit]> + AsMut<[L::Unit]>> DrawTa
         Ok(())
     }
 
-    /// Never inlined: one copy serves all that is drawn.
-    #[inline(never)]
+    /// In firmware one copy serves all that is drawn.
+    #[cfg_attr(target_os = "none", inline(never))]
+    #[cfg_attr(not(target_os = "none"), inline)]
     fn fill_solid(&mut self, area: &Rectangle, colour: C) -> Result<(), Infallible> {
         self.surface_at_origin().fill_solid(area, colour);
         Ok(())

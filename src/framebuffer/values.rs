@@ -32,29 +32,37 @@ impl<C: PixelColor + core::fmt::Debug + 'static> Layout<C> for Values {
 
     #[inline(always)]
     fn fill(pixels: &mut [C], line: usize, columns: Range<usize>, _: Range<u32>, colour: C) {
-        if let Some(pixels) = pixels.get_mut(line + columns.start..line + columns.end) {
+        if let Some(pixels) = pixels.get_mut(line.wrapping_add(columns.start)..line.wrapping_add(columns.end)) {
             fill(pixels, colour);
         }
     }
 }
 
-/// By eights, the last of which ends where the pixels do and may overlap the one before; fewer one by one.
-#[inline(always)]
+/// From both ends, as bytes are: see `words`.
+#[inline(never)]
 fn fill<C: Copy>(pixels: &mut [C], colour: C) {
     if let Some(last) = pixels.last_chunk_mut::<8>() {
         last.fill(colour);
-        let (many, rest) = pixels.as_chunks_mut::<64>();
+        let (many, rest) = pixels.as_chunks_mut::<32>();
         for piece in many {
+            black_box(());
             piece.fill(colour);
         }
         for eight in rest.as_chunks_mut::<8>().0 {
             black_box(());
             eight.fill(colour);
         }
+    } else if let Some(last) = pixels.last_chunk_mut::<4>() {
+        last.fill(colour);
+        if let Some(first) = pixels.first_chunk_mut::<4>() {
+            first.fill(colour);
+        }
     } else {
-        for pixel in pixels {
-            black_box(());
-            *pixel = colour;
+        match pixels {
+            [first] => *first = colour,
+            [first, second] => [*first, *second] = [colour; 2],
+            [first, second, third] => [*first, *second, *third] = [colour; 3],
+            _ => {}
         }
     }
 }

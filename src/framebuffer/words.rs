@@ -2,26 +2,35 @@
 //!
 //! A word here is four bytes that begin anywhere: one store where the processor allows that, four where it does not.
 
+use core::hint::black_box;
+
 /// Fills with a pattern of one, two or four bytes, of which `word` holds as many as it has room for. As many bytes as the
 /// pattern's length times any number.
 ///
-/// Short and long alike, without a loop over what is left: the last sixteen bytes (below that the last eight or four) are
-/// written first, and what follows may overlap them.
+/// Short pieces are filled from both ends, without a loop; what is in the middle may be written twice.
 ///
 /// ```text
-///   bytes     |----------------------------------------------|
-///   sixteens  [--------------][--------------]
-///   last                                  [------------------]
+///   bytes       |----------------------|
+///   first 16    [----------------]
+///   last 16           [----------------]
 /// ```
-#[inline(always)]
+///
+/// Out of line: it is in a program once, whatever the colours and the shapes, and needs no more registers than a call may
+/// use without saving any.
+#[cfg_attr(target_os = "none", inline(never))]
+#[cfg_attr(not(target_os = "none"), inline(always))]
 pub(super) fn fill(bytes: &mut [u8], word: u32) {
-    if let Some(last) = bytes.last_chunk_mut() {
-        fill_sixteen(last, word);
-        fill_sixteens(bytes, word);
+    if bytes.len() > 32 {
+        fill_long(bytes, word);
     } else if let Some(last) = bytes.last_chunk_mut() {
-        fill_eight(last, word);
+        fill_chunk::<16>(last, word);
         if let Some(first) = bytes.first_chunk_mut() {
-            fill_eight(first, word);
+            fill_chunk::<16>(first, word);
+        }
+    } else if let Some(last) = bytes.last_chunk_mut() {
+        fill_chunk::<8>(last, word);
+        if let Some(first) = bytes.first_chunk_mut() {
+            fill_chunk::<8>(first, word);
         }
     } else if let Some(last) = bytes.last_chunk_mut() {
         *last = word.to_ne_bytes();
@@ -40,31 +49,25 @@ pub(super) fn fill(bytes: &mut [u8], word: u32) {
 }
 
 #[inline(always)]
-fn fill_eight(bytes: &mut [u8; 8], word: u32) {
+fn fill_chunk<const N: usize>(bytes: &mut [u8; N], word: u32) {
     for four in bytes.as_chunks_mut().0 {
         *four = word.to_ne_bytes();
     }
 }
 
+/// More than 32 bytes: the last 16, and all before by 128 and by 16.
 #[inline(always)]
-fn fill_sixteen(bytes: &mut [u8; 16], word: u32) {
-    for four in bytes.as_chunks_mut().0 {
-        *four = word.to_ne_bytes();
+fn fill_long(bytes: &mut [u8], word: u32) {
+    if let Some(last) = bytes.last_chunk_mut() {
+        fill_chunk::<16>(last, word);
     }
-}
-
-/// All sixteens from the start on; out of line for all that is long, where it makes no difference, and once in a program.
-#[inline(always)]
-fn fill_sixteens(bytes: &mut [u8], word: u32) {
     let (many, rest) = bytes.as_chunks_mut::<128>();
     for piece in many {
-        for sixteen in piece.as_chunks_mut().0 {
-            fill_sixteen(sixteen, word);
-        }
+        fill_chunk(piece, word);
     }
-    for sixteen in rest.as_chunks_mut().0 {
-        core::hint::black_box(());
-        fill_sixteen(sixteen, word);
+    for piece in rest.as_chunks_mut::<16>().0 {
+        black_box(());
+        fill_chunk(piece, word);
     }
 }
 

@@ -12,7 +12,7 @@ use crate::span::BlockSink;
 ///   draw_on   shape -block-> rows of memory                          a canvas: the shape has been clipped already
 /// ```
 pub trait Canvas: DrawTarget {
-    /// What fills blocks in a colour, each of which lies inside the bounding box; what is outside may be left out, and costs
-    /// no other pixel its colour.
+    /// What fills blocks in a colour. They must lie inside the bounding box, as those of a shape do that is clipped to it; what
+    /// others do to the target's pixels is not said.
     fn solid(&mut self, colour: Self::Color) -> impl BlockSink<Error = Self::Error>;
 }
