@@ -9,7 +9,7 @@
 //! Shape -clip-> Edge -one step a row-> Span, or a block of equal rows -> colour -> DrawTarget::fill_solid
 //! Cover -clip-> edges and cells -a row of pixels-> Span, run of coverage -> Blend -> fill_solid, fill_contiguous
 //!
-//! limits · subpixel · geometry, fragment · turn · edge · span, error · coverage · shape, target · blend · draw · framebuffer · eg · methods
+//! limits · subpixel · geometry, fragment · turn · edge · span, error · coverage · shape, target · blend · draw · framebuffer · band, damage · eg · methods
 //! ```
 //!
 //! A module uses only what stands to its left. Shapes know no colours and no targets: they push [`Span`]s or blocks
@@ -98,8 +98,10 @@
     clippy::unwrap_used
 )]
 
+mod band;
 mod blend;
 mod coverage;
+mod damage;
 mod draw;
 mod edge;
 #[cfg(feature = "embedded-graphics")]
@@ -123,8 +125,10 @@ struct Readme;
 #[cfg(test)]
 extern crate std;
 
+pub use band::{Band, Bands, FrameError, Parts, Transfer, Transmit};
 pub use blend::{Blend, Dither, InPlace, Linear, Mix, MixLinear, Over, ReadBack};
 pub use coverage::{Cell, CoverageSink, SampleCell, Samples};
+pub use damage::Damage;
 pub use draw::{AntiAlias, AntiAliased, Fill, Filled};
 pub use error::{TooLittleScratch, TooManyEdges};
 pub use fixed::types::I24F8;

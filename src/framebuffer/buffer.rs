@@ -138,6 +138,12 @@ impl<C: PixelColor, L: Layout<C>, S: AsRef<[L::Unit]>> Framebuffer<C, L, S> {
         self.storage
     }
 
+    /// The units that its lines take.
+    #[inline]
+    pub(crate) fn needed(&self) -> usize {
+        Grid::units::<C, L>(self.grid.size(), self.grid.stride)
+    }
+
     #[inline(always)]
     pub(crate) fn grid(&self) -> Grid {
         self.grid
@@ -178,7 +184,7 @@ impl<C: PixelColor, L: Layout<C>, S: AsRef<[L::Unit]> + AsMut<[L::Unit]>> Frameb
     /// # Ok::<(), core::convert::Infallible>(())
     /// ```
     pub fn view(&mut self, area: &Rectangle) -> Option<Framebuffer<C, L, &mut [L::Unit]>> {
-        let (rows, columns) = self.surface(Point::zero()).clip(area);
+        let (rows, columns) = self.surface().clip(area);
         if rows.is_empty() || columns.is_empty() {
             return None;
         }
@@ -189,15 +195,20 @@ impl<C: PixelColor, L: Layout<C>, S: AsRef<[L::Unit]> + AsMut<[L::Unit]>> Frameb
 
     /// What draws on it.
     #[inline(always)]
-    pub(crate) fn surface_at_origin(&mut self) -> Surface<'_, C, L> {
-        self.surface(Point::zero())
+    pub(crate) fn surface(&mut self) -> Surface<'_, C, L> {
+        self.surface_at(Point::zero())
     }
 
     /// What draws on it, its first pixel having these coordinates.
     #[inline(always)]
-    pub(crate) fn surface(&mut self, top_left: Point) -> Surface<'_, C, L> {
+    pub(crate) fn surface_at(&mut self, top_left: Point) -> Surface<'_, C, L> {
         Surface { units: self.storage.as_mut(), grid: self.grid, top_left }
     }
+}
+
+/// Whether there could be a framebuffer of this size, in so many units.
+pub(crate) fn check_size<C: PixelColor, L: Layout<C>>(size: Size, available: usize) -> Result<(), FramebufferError> {
+    Grid::new::<C, L>(size, Grid::line_units::<C, L>(size.width), available).map(drop)
 }
 
 /// What the compiler checks of a framebuffer that owns its memory.

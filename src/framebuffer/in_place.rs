@@ -2,10 +2,7 @@
 
 use embedded_graphics_core::geometry::Point;
 
-use crate::{
-    blend::{Blend, InPlace, Linear, Mix, MixLinear},
-    framebuffer::{Framebuffer, Layout, PackedColor, Pages, Rows, Surface},
-};
+use crate::framebuffer::{Framebuffer, Layout, PackedColor, Pages, Rows, Surface};
 
 /// Mixes each of a run with what is there: its line is looked up once.
 #[inline(always)]
@@ -23,69 +20,47 @@ pub(crate) fn mix_run<C: PackedColor, L: Layout<C>>(
 }
 
 macro_rules! impl_in_place {
-    ($target:ident, $surface:ident: $($layout:ident)+) => {
-        $(impl<C, O, S> Blend<$target<C, $layout<O>, S>> for InPlace
+    (@blend ($($generics:tt)*) $target:ty, $layout:ty, ($($bounds:tt)*), $blend:ty, $mix:ident, $over:ident) => {
+        impl<$($generics)*> $crate::blend::Blend<$target> for $blend
         where
-            C: PackedColor + Mix,
-            $layout<O>: Layout<C, Unit = u8>,
-            S: AsRef<[u8]> + AsMut<[u8]>,
+            C: PackedColor + $crate::blend::$mix,
+            $layout: Layout<C, Unit = u8>,
+            $($bounds)*
         {
             #[inline]
             fn run(
                 &self,
-                target: &mut $target<C, $layout<O>, S>,
+                target: &mut $target,
                 start: Point,
                 colour: C,
                 alphas: &[u8],
             ) -> Result<(), core::convert::Infallible> {
-                mix_run(target.$surface(), start, alphas, move |backdrop, alpha| colour.over(backdrop, alpha));
+                let over = move |backdrop, alpha| colour.$over(backdrop, alpha);
+                $crate::framebuffer::mix_run(target.surface(), start, alphas, over);
                 Ok(())
             }
 
             #[inline]
             fn fill(
                 &self,
-                target: &mut $target<C, $layout<O>, S>,
+                target: &mut $target,
                 start: Point,
                 width: u32,
                 colour: C,
             ) -> Result<(), core::convert::Infallible> {
-                target.$surface().fill_right(start, width, colour);
+                target.surface().fill_right(start, width, colour);
                 Ok(())
             }
         }
-
-        impl<C, O, S> Blend<$target<C, $layout<O>, S>> for Linear<InPlace>
-        where
-            C: PackedColor + MixLinear,
-            $layout<O>: Layout<C, Unit = u8>,
-            S: AsRef<[u8]> + AsMut<[u8]>,
-        {
-            #[inline]
-            fn run(
-                &self,
-                target: &mut $target<C, $layout<O>, S>,
-                start: Point,
-                colour: C,
-                alphas: &[u8],
-            ) -> Result<(), core::convert::Infallible> {
-                mix_run(target.$surface(), start, alphas, move |backdrop, alpha| colour.over_linear(backdrop, alpha));
-                Ok(())
-            }
-
-            #[inline]
-            fn fill(
-                &self,
-                target: &mut $target<C, $layout<O>, S>,
-                start: Point,
-                width: u32,
-                colour: C,
-            ) -> Result<(), core::convert::Infallible> {
-                target.$surface().fill_right(start, width, colour);
-                Ok(())
-            }
-        })+
+    };
+    (($($generics:tt)*) $target:ty, $layout:ty, $bounds:tt) => {
+        impl_in_place!(@blend ($($generics)*) $target, $layout, $bounds, $crate::blend::InPlace, Mix, over);
+        impl_in_place!(@blend ($($generics)*) $target, $layout, $bounds,
+            $crate::blend::Linear<$crate::blend::InPlace>, MixLinear, over_linear);
     };
 }
 
-impl_in_place!(Framebuffer, surface_at_origin: Rows Pages);
+pub(crate) use impl_in_place;
+
+impl_in_place!((C, O, S) Framebuffer<C, Rows<O>, S>, Rows<O>, (S: AsRef<[u8]> + AsMut<[u8]>));
+impl_in_place!((C, O, S) Framebuffer<C, Pages<O>, S>, Pages<O>, (S: AsRef<[u8]> + AsMut<[u8]>));

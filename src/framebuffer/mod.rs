@@ -26,4 +26,6 @@ pub use color::PackedColor;
 pub use error::FramebufferError;
 pub use layout::{Layout, LsbFirst, MsbFirst, Order, Pages, Rows, Values};
 
+pub(crate) use buffer::check_size;
+pub(crate) use in_place::{impl_in_place, mix_run};
 pub(crate) use surface::Surface;

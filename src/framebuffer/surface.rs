@@ -95,6 +95,15 @@ impl<'u, C: PixelColor, L: Layout<C>> Surface<'u, C, L> {
         self.fill_block(0..self.grid.height, 0..self.grid.width, L::ink(colour));
     }
 
+    /// The same where nobody else has pixels in the rest of a line's last byte: it gets the colour, too.
+    #[inline(always)]
+    pub(crate) fn clear_whole(&mut self, colour: C) {
+        let beside = if L::STEP < 8 { 8 / L::STEP } else { 1 };
+        let width = self.grid.width.next_multiple_of(beside);
+        let grid = Grid { width, ..self.grid };
+        Surface::<C, L> { units: &mut *self.units, grid, top_left: self.top_left }.clear(colour);
+    }
+
     /// Fills what lies on the surface.
     #[inline(always)]
     fn fill_block(&mut self, rows: Range<u32>, columns: Range<u32>, ink: L::Ink) {

@@ -30,13 +30,13 @@ impl<C: PixelColor, L: Layout<C>, S: AsRef<[L::Unit]> + AsMut<[L::Unit]>> DrawTa
 
     #[inline]
     fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
-        self.surface_at_origin().draw_iter(pixels);
+        self.surface().draw_iter(pixels);
         Ok(())
     }
 
     #[inline]
     fn fill_contiguous<I: IntoIterator<Item = C>>(&mut self, area: &Rectangle, colours: I) -> Result<(), Infallible> {
-        self.surface_at_origin().fill_contiguous(area, colours);
+        self.surface().fill_contiguous(area, colours);
         Ok(())
     }
 
@@ -44,13 +44,13 @@ impl<C: PixelColor, L: Layout<C>, S: AsRef<[L::Unit]> + AsMut<[L::Unit]>> DrawTa
     #[cfg_attr(target_os = "none", inline(never))]
     #[cfg_attr(not(target_os = "none"), inline)]
     fn fill_solid(&mut self, area: &Rectangle, colour: C) -> Result<(), Infallible> {
-        self.surface_at_origin().fill_solid(area, colour);
+        self.surface().fill_solid(area, colour);
         Ok(())
     }
 
     #[inline(never)]
     fn clear(&mut self, colour: C) -> Result<(), Infallible> {
-        self.surface_at_origin().clear(colour);
+        self.surface().clear(colour);
         Ok(())
     }
 }
@@ -58,7 +58,7 @@ impl<C: PixelColor, L: Layout<C>, S: AsRef<[L::Unit]> + AsMut<[L::Unit]>> DrawTa
 impl<C: PixelColor, L: Layout<C>, S: AsRef<[L::Unit]> + AsMut<[L::Unit]>> Canvas for Framebuffer<C, L, S> {
     #[inline]
     fn solid(&mut self, colour: C) -> impl BlockSink<Error = Infallible> {
-        self.surface_at_origin().solid(colour)
+        self.surface().solid(colour)
     }
 }
 
@@ -78,6 +78,6 @@ where
 {
     #[inline]
     fn row_from(&mut self, start: Point) -> Option<&mut [C]> {
-        self.surface_at_origin().row_from(start)
+        self.surface().row_from(start)
     }
 }
