@@ -45,7 +45,7 @@ impl Scene {
         let [fill, edge, line, text] = self.colours.map(C::from_bits);
         Triangle::new(a, b, c).filled(fill).draw_on(target)?;
         Circle::new(self.centre, self.radius).antialiased(edge, InPlace).opacity(200).draw_on(target)?;
-        Line::new(a, self.centre).antialiased(line, InPlace).draw_on(target)?;
+        Line::new(a, self.centre).filled(line).draw_on(target)?;
         Circle::new(c, self.radius / 2).filled(line).draw(target)?;
         Text::new("bands", self.centre, MonoTextStyle::new(&FONT_6X10, text)).draw(target)?;
         Ok(())
