@@ -51,7 +51,11 @@ impl<C: PixelColor, L: Layout<C>, S: AsRef<[L::Unit]>> Framebuffer<C, L, S> {
         target: &mut D,
     ) -> Result<(), D::Error> {
         let size = embedded_graphics_core::geometry::Size::new(columns.end - columns.start, rows.end - rows.start);
-        let colours = rows.flat_map(|row| columns.clone().filter_map(move |column| self.get(column, row)));
+        let (units, grid, width) = (self.units(), self.grid(), size.width as usize);
+        let colours = rows.flat_map(move |row| {
+            let (line, first, row) = grid.place::<C, L>(columns.start, row);
+            (first..first + width).filter_map(move |column| L::get(units, line, column, row))
+        });
         target.fill_contiguous(&Rectangle::new(top_left, size), colours)
     }
 }

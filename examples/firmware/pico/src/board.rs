@@ -112,6 +112,17 @@ pub fn lcd<'b>(
         .expect("the display answers nothing that could be wrong")
 }
 
+/// Starts everything, draws, and sleeps.
+pub fn run(draw: impl FnOnce(&mut Lcd<'_>)) -> ! {
+    let Board { bus, mut select, mut command, mut reset, mut timer, mut words, .. } = start();
+    let mut buffer = [0; 128];
+    draw(&mut lcd(&bus, &mut select, &mut command, &mut reset, &mut timer, &mut buffer));
+    say(&mut words, "done", "");
+    loop {
+        cortex_m::asm::wfi();
+    }
+}
+
 /// Tells what comes, or that it is over.
 pub fn say(words: &mut Words, what: &str, name: &str) {
     let _ = writeln!(words, "{what} {name}");

@@ -1,6 +1,6 @@
 //! What the firmware draws, and the host: each picture by this crate and by embedded-graphics, on any draw target.
 
-#![no_std]
+#![cfg_attr(target_os = "none", no_std)]
 #![allow(missing_docs, reason = "a program")]
 
 #[cfg(target_os = "none")]
@@ -8,6 +8,8 @@ pub mod board;
 pub mod dashboard;
 #[path = "../../../../benches/scenes/mod.rs"]
 mod scenes;
+#[cfg(not(target_os = "none"))]
+pub mod simulator;
 
 use embedded_graphics::{
     pixelcolor::Rgb565,
@@ -16,6 +18,30 @@ use embedded_graphics::{
 };
 use scenes::{PixelPoint, circles, lines, triangles};
 use spanfill::{AntiAlias, Circle, Fill, Line, Over, Polygon, Triangle, Vertex, eg::Style};
+
+/// The program that gives a function a display: the one on the board, or a simulated one whose picture goes to a file.
+#[macro_export]
+macro_rules! main {
+    ($draw:ident) => {
+        #[cfg(target_os = "none")]
+        use panic_halt as _;
+
+        #[cfg(target_os = "none")]
+        #[rp2040_hal::entry]
+        fn main() -> ! {
+            $crate::board::run(|lcd| {
+                let _ = $draw(lcd);
+            })
+        }
+
+        #[cfg(not(target_os = "none"))]
+        fn main() {
+            $crate::simulator::run(env!("CARGO_BIN_NAME"), |lcd| {
+                $draw(lcd).expect("a simulated display takes everything");
+            });
+        }
+    };
+}
 
 pub const SCREEN: Size = Size::new(320, 240);
 pub const BACKGROUND: Rgb565 = Rgb565::BLACK;
