@@ -29,7 +29,8 @@ where
     ///   send        | 0 ----- | 1 ----- | 2 ----- | 3 ----- |
     /// ```
     ///
-    /// Where it is dropped half way, the display has what has been sent; the next frame is complete.
+    /// Where it is dropped half way, the display has what has been sent; the next frame is complete. Polled again after its end it
+    /// panics, as the future of every `async` function does; no executor does that.
     ///
     /// # Errors
     ///
@@ -114,12 +115,11 @@ where
 }
 
 /// Starts a future: whether it is done at once.
-async fn poll_once<T>(mut future: Pin<&mut impl Future<Output = T>>) -> Option<T> {
-    poll_fn(|context| {
+fn poll_once<T>(mut future: Pin<&mut impl Future<Output = T>>) -> impl Future<Output = Option<T>> {
+    poll_fn(move |context| {
         Poll::Ready(match future.as_mut().poll(context) {
             Poll::Ready(output) => Some(output),
             Poll::Pending => None,
         })
     })
-    .await
 }

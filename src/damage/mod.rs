@@ -1,6 +1,6 @@
 //! Which parts of the screen have changed.
 
-use core::ops::Range;
+use core::{mem::replace, ops::Range};
 
 use embedded_graphics_core::{
     geometry::{Dimensions, Point, Size},
@@ -94,7 +94,7 @@ impl<const N: usize> Damage<N> {
         let mut area = Rectangle::from(PixelRect { rows, columns });
         // What has grown may now touch others.
         while let Some(index) = self.areas.iter().position(|other| growth(&area, other) <= WINDOW_PX) {
-            area = both(&area, &self.areas.swap_remove(index));
+            area = self.take_out(index).map_or(area, |other| both(&area, &other));
         }
         if let Err(area) = self.areas.push(area) {
             let merged = self.merge_nearest(area);
@@ -119,17 +119,25 @@ impl<const N: usize> Damage<N> {
                 }
             }
         }
-        match nearest {
-            (one, None) => both(&area, &self.areas.swap_remove(one)),
-            (one, Some(other)) => {
-                // The later one first: it moves none before it.
-                let other = self.areas.swap_remove(other);
-                let merged = both(&other, &self.areas.swap_remove(one));
-                // Two have gone.
+        let (one, other) = nearest;
+        // The later one first: it moves none before it.
+        let other = other.and_then(|other| self.take_out(other));
+        let one = self.take_out(one);
+        match (one, other) {
+            (Some(one), Some(other)) => {
+                // Two have gone: there is room for the new one.
                 self.areas.push(area).unwrap_or_default();
-                merged
+                both(&one, &other)
             }
+            (Some(one), None) => both(&one, &area),
+            (None, _) => area,
         }
+    }
+
+    /// Takes an area out; the last one takes its place.
+    fn take_out(&mut self, index: usize) -> Option<Rectangle> {
+        let last = self.areas.pop()?;
+        Some(self.areas.get_mut(index).map_or(last, |place| replace(place, last)))
     }
 
     /// Whether there is nothing to be drawn.

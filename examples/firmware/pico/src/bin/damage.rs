@@ -52,6 +52,6 @@ fn draw<D: DrawTarget<Color = Rgb565>>(lcd: &mut D) -> Result<(), FrameError<Inf
     let mut text = String::<64>::new();
     let _ = write!(text, "{} of {} bytes a frame", bytes / frames, buffer_size::<Rgb565, Packed>(320, 240));
     let style = MonoTextStyle::new(&FONT_6X10, Rgb565::WHITE);
-    Text::new(&text, Point::new(180, 232), style).draw(lcd).map_err(FrameError::Flush)?;
+    Text::new(&text, Point::new(148, 236), style).draw(lcd).map_err(FrameError::Flush)?;
     Ok(())
 }
