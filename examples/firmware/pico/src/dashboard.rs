@@ -26,15 +26,34 @@ const SAMPLES: [i32; 29] = [
     30, 34, 41, 47, 50, 48, 42, 33, 25, 19, 14, 12, 15, 20, 28, 37, 45, 52, 56, 57, 54, 47, 38, 29, 22, 18, 17, 21, 27,
 ];
 
-/// Everything, `value` from 0 to 100 on the gauge.
-pub fn draw<D: DrawTarget<Color = Rgb565>>(target: &mut D, value: i32) -> Result<(), D::Error> {
+/// What is worked out once, and not again for each band: directions need sines, and most microcontrollers have no floating point.
+#[derive(Debug, Clone, Copy)]
+pub struct Dashboard {
+    ticks: [Line; 11],
+    needle: Triangle,
+}
+
+impl Dashboard {
+    /// `value` is from 0 to 100 on the gauge.
+    pub fn new(value: i32) -> Self {
+        let tick = |index: usize| {
+            let turn = turn(10 * index as i32);
+            Line::new(around(turn, 0, -66), around(turn, 0, -78))
+        };
+        Self { ticks: core::array::from_fn(tick), needle: needle_shape(value) }
+    }
+}
+
+/// Everything.
+pub fn draw<D: DrawTarget<Color = Rgb565>>(target: &mut D, dashboard: &Dashboard) -> Result<(), D::Error> {
     backdrop(target)?;
     Circle::new(HUB, 86).antialiased(SCALE, Over(PANEL)).draw(target)?;
     Circle::new(HUB, 82).antialiased(FACE, Over(SCALE)).draw(target)?;
-    for tick in 0..=10 {
-        Line::new(at(tick * 10, 66), at(tick * 10, 78)).antialiased(TEXT, Over(FACE)).draw(target)?;
+    for tick in &dashboard.ticks {
+        tick.antialiased(TEXT, Over(FACE)).draw(target)?;
     }
-    needle(target, value)?;
+    dashboard.needle.antialiased(NEEDLE, Over(FACE)).draw(target)?;
+    Circle::new(HUB, 9).antialiased(TEXT, Over(FACE)).draw(target)?;
     let points = || SAMPLES.iter().zip(0..).map(|(sample, index)| Point::new(204 + 4 * index, 120 - sample));
     for (from, to) in points().zip(points().skip(1)) {
         Line::new(from, to).antialiased(CURVE, Over(FACE)).draw(target)?;
@@ -48,12 +67,7 @@ pub fn draw<D: DrawTarget<Color = Rgb565>>(target: &mut D, value: i32) -> Result
     texts(target)
 }
 
-/// The needle and its hub, and where they are: what has to be drawn again when the value changes.
-pub fn needle<D: DrawTarget<Color = Rgb565>>(target: &mut D, value: i32) -> Result<(), D::Error> {
-    needle_shape(value).antialiased(NEEDLE, Over(FACE)).draw(target)?;
-    Circle::new(HUB, 9).antialiased(TEXT, Over(FACE)).draw(target)
-}
-
+/// The needle: where it is has to be drawn again when the value changes.
 pub fn needle_shape(value: i32) -> Triangle {
     let turn = turn(value);
     let corner = |x, y| around(turn, x, y);
@@ -61,7 +75,10 @@ pub fn needle_shape(value: i32) -> Triangle {
 }
 
 /// The same by embedded-graphics: the same shapes, without anti-aliasing.
-pub fn draw_by_embedded_graphics<D: DrawTarget<Color = Rgb565>>(target: &mut D, value: i32) -> Result<(), D::Error> {
+pub fn draw_by_embedded_graphics<D: DrawTarget<Color = Rgb565>>(
+    target: &mut D,
+    dashboard: &Dashboard,
+) -> Result<(), D::Error> {
     let round = |centre: Point, radius: i32, colour| {
         let top_left = centre - Point::new(radius, radius);
         eg::Circle::new(top_left, 2 * radius as u32 + 1).into_styled(PrimitiveStyle::with_fill(colour))
@@ -70,10 +87,10 @@ pub fn draw_by_embedded_graphics<D: DrawTarget<Color = Rgb565>>(target: &mut D, 
     round(HUB, 86, SCALE).draw(target)?;
     round(HUB, 82, FACE).draw(target)?;
     let thin = |colour| PrimitiveStyle::with_stroke(colour, 1);
-    for tick in 0..=10 {
-        eg::Line::new(pixel(at(tick * 10, 66)), pixel(at(tick * 10, 78))).into_styled(thin(TEXT)).draw(target)?;
+    for Line { start, end } in dashboard.ticks {
+        eg::Line::new(pixel(start), pixel(end)).into_styled(thin(TEXT)).draw(target)?;
     }
-    let [a, b, c] = needle_shape(value).vertices.map(pixel);
+    let [a, b, c] = dashboard.needle.vertices.map(pixel);
     eg::Triangle::new(a, b, c).into_styled(PrimitiveStyle::with_fill(NEEDLE)).draw(target)?;
     round(HUB, 9, TEXT).draw(target)?;
     let points = || SAMPLES.iter().zip(0..).map(|(sample, index)| Point::new(204 + 4 * index, 120 - sample));
@@ -113,10 +130,6 @@ fn texts<D: DrawTarget<Color = Rgb565>>(target: &mut D) -> Result<(), D::Error> 
 /// The gauge spans 270 degrees.
 fn turn(value: i32) -> Turn {
     Turn::from_degrees((value - 50) as f32 * 2.7)
-}
-
-fn at(value: i32, radius: i32) -> Vertex {
-    around(turn(value), 0, -radius)
 }
 
 fn around(turn: Turn, x: i32, y: i32) -> Vertex {

@@ -11,6 +11,7 @@ mod scenes;
 #[cfg(not(target_os = "none"))]
 pub mod simulator;
 
+use dashboard::Dashboard;
 use embedded_graphics::{
     pixelcolor::Rgb565,
     prelude::*,
@@ -113,7 +114,7 @@ impl Picture {
     }
 
     /// By this crate. What is smooth is blended over the background: the same on a display and in memory.
-    pub fn draw<D: DrawTarget<Color = Rgb565>>(self, target: &mut D) -> Result<(), D::Error> {
+    pub fn draw<D: DrawTarget<Color = Rgb565>>(self, target: &mut D, dashboard: &Dashboard) -> Result<(), D::Error> {
         let over = Over(BACKGROUND);
         match self {
             Self::Triangles(px) => {
@@ -148,7 +149,7 @@ impl Picture {
                     Err(_) => Ok(()),
                 }
             }
-            Self::Dashboard => dashboard::draw(target, 62),
+            Self::Dashboard => dashboard::draw(target, dashboard),
         }
     }
 
@@ -156,6 +157,7 @@ impl Picture {
     pub fn draw_by_embedded_graphics<D: DrawTarget<Color = Rgb565>>(
         self,
         target: &mut D,
+        dashboard: &Dashboard,
     ) -> Option<Result<(), D::Error>> {
         let filled = PrimitiveStyle::with_fill(COLOUR);
         let stroke = |width| PrimitiveStyle::with_stroke(COLOUR, width);
@@ -171,7 +173,7 @@ impl Picture {
                 let top_left = Point::new(x - px, y - px);
                 eg::Circle::new(top_left, 2 * px.unsigned_abs()).into_styled(filled).draw(target)
             }),
-            Self::Dashboard => dashboard::draw_by_embedded_graphics(target, 62),
+            Self::Dashboard => dashboard::draw_by_embedded_graphics(target, dashboard),
             _ => return None,
         })
     }

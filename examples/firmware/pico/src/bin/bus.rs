@@ -24,7 +24,7 @@ use spanfill::{Bands, Framebuffer, MsbFirst, Rows, Transfer, Transmit, buffer_si
 use spanfill_pico::{
     BACKGROUND, Picture, SCREEN, board,
     board::{Bus, Channel, Output, say},
-    dashboard,
+    dashboard::{self, Dashboard},
 };
 
 type Packed = Rows<MsbFirst>;
@@ -48,15 +48,16 @@ fn main() -> ! {
 
     let board::Board { bus, mut select, mut command, mut reset, mut timer, mut words, channel } = board::start();
     let words = &mut words;
+    let (dashboard, moved) = (Dashboard::new(62), Dashboard::new(65));
     let mut lcd = board::lcd(&bus, &mut select, &mut command, &mut reset, &mut timer, driver);
     for picture in Picture::ALL {
         let _ = lcd.clear(BACKGROUND);
         say(words, "begin embedded-graphics", picture.name());
-        let drawn = picture.draw_by_embedded_graphics(&mut lcd);
+        let drawn = picture.draw_by_embedded_graphics(&mut lcd, &dashboard);
         say(words, if drawn.is_some() { "end" } else { "skip" }, "");
         let _ = lcd.clear(BACKGROUND);
         say(words, "begin direct", picture.name());
-        let _ = picture.draw(&mut lcd);
+        let _ = picture.draw(&mut lcd, &dashboard);
         say(words, "end", "");
     }
 
@@ -64,7 +65,7 @@ fn main() -> ! {
         let _ = lcd.clear(BACKGROUND);
         say(words, "begin framebuffer", picture.name());
         let Ok(()) = frame.clear(BACKGROUND);
-        let Ok(()) = picture.draw(frame);
+        let Ok(()) = picture.draw(frame, &dashboard);
         let _ = frame.show(Point::zero(), &mut lcd);
         say(words, "end", "");
     }
@@ -75,7 +76,7 @@ fn main() -> ! {
         for picture in Picture::ALL {
             let _ = lcd.clear(BACKGROUND);
             say(words, "begin bands", picture.name());
-            let _ = bands.draw(|band| picture.draw(band), |band| band.show(&mut lcd));
+            let _ = bands.draw(|band| picture.draw(band, &dashboard), |band| band.show(&mut lcd));
             say(words, "end", "");
         }
         // Only the needle moves: what it covered and what it covers.
@@ -84,8 +85,8 @@ fn main() -> ! {
         for value in [62, 65] {
             damage.add(&spanfill::Fill::filled(dashboard::needle_shape(value), BACKGROUND));
         }
-        let redrawn =
-            damage.redraw(|area| bands.draw_area(area, |band| dashboard::draw(band, 65), |band| band.show(&mut lcd)));
+        let redrawn = damage
+            .redraw(|area| bands.draw_area(area, |band| dashboard::draw(band, &moved), |band| band.show(&mut lcd)));
         let _ = redrawn;
         say(words, "end", "");
         let _ = lcd.clear(BACKGROUND);
@@ -97,7 +98,7 @@ fn main() -> ! {
     let mut bands = Bands::<Rgb565, Packed, &'static mut Band, 2>::new([first, second], SCREEN, BACKGROUND)
         .expect("a line at least");
     say(words, "begin dma", "dashboard");
-    let (panel, _) = bands.draw_by_transfers(panel, |band| Picture::Dashboard.draw(band));
+    let (panel, _) = bands.draw_by_transfers(panel, |band| Picture::Dashboard.draw(band, &dashboard));
     say(words, "end", "");
 
     // The same sender, as a future that is done when DMA is.
@@ -105,7 +106,7 @@ fn main() -> ! {
     let mut spare = cortex_m::singleton!(: Band = [0; 5120]);
     say(words, "begin async", "dashboard");
     let mut frame = pin!(bands.draw_async(
-        |band| Picture::Dashboard.draw(band),
+        |band| Picture::Dashboard.draw(band, &dashboard),
         async |band| {
             let (Some(sender), Some(buffer)) = (panel.take(), spare.take()) else { return Ok::<(), Infallible>(()) };
             buffer.copy_from_slice(band.units());

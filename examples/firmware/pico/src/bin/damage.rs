@@ -11,7 +11,10 @@ use embedded_graphics::{
 };
 use heapless::String;
 use spanfill::{Bands, Damage, FrameError, MsbFirst, Rows, buffer_size, prelude::*};
-use spanfill_pico::{BACKGROUND, SCREEN, dashboard};
+use spanfill_pico::{
+    BACKGROUND, SCREEN,
+    dashboard::{self, Dashboard},
+};
 
 spanfill_pico::main!(draw);
 
@@ -26,10 +29,11 @@ fn draw<D: DrawTarget<Color = Rgb565>>(lcd: &mut D) -> Result<(), FrameError<Inf
     let (mut frames, mut bytes) = (0, 0);
     damage.add_all();
     loop {
+        let dashboard = Dashboard::new(needle);
         damage.redraw(|area| {
             bands.draw_area(
                 area,
-                |band| dashboard::draw(band, needle),
+                |band| dashboard::draw(band, &dashboard),
                 |band| {
                     bytes += band.units().len();
                     band.show(lcd)

@@ -2,10 +2,10 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
-use spanfill_pico::dashboard;
+use spanfill_pico::dashboard::{self, Dashboard};
 
 spanfill_pico::main!(draw);
 
 fn draw<D: DrawTarget<Color = Rgb565>>(lcd: &mut D) -> Result<(), D::Error> {
-    dashboard::draw(lcd, 62)
+    dashboard::draw(lcd, &Dashboard::new(62))
 }

@@ -9,7 +9,7 @@ use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 use panic_halt as _;
 use rp2040_hal::entry;
 use spanfill::{Bands, MsbFirst, Rows, buffer_size};
-use spanfill_pico::{BACKGROUND, Picture, SCREEN, board, board::say};
+use spanfill_pico::{BACKGROUND, Picture, SCREEN, board, board::say, dashboard::Dashboard};
 
 type Packed = Rows<MsbFirst>;
 
@@ -22,11 +22,12 @@ fn main() -> ! {
     let mut driver = [0; 64];
     let board::Board { bus, mut select, mut command, mut reset, mut timer, mut words, .. } = board::start();
     let words = &mut words;
+    let dashboard = Dashboard::new(62);
     let mut lcd = board::lcd(&bus, &mut select, &mut command, &mut reset, &mut timer, &mut driver);
     let mut bands = Bands::<Rgb565, Packed, _, 1>::new([&mut band[..]], SCREEN, BACKGROUND).expect("a line at least");
     for picture in [Picture::SmoothStar, Picture::Dashboard] {
         say(words, "begin bands", picture.name());
-        let _ = bands.draw(|band| picture.draw(band), |band| band.show(&mut lcd));
+        let _ = bands.draw(|band| picture.draw(band, &dashboard), |band| band.show(&mut lcd));
         say(words, "end", "");
     }
     say(words, "done", "");
