@@ -5,7 +5,7 @@
 #![no_main]
 #![allow(missing_docs, reason = "a program")]
 
-use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
+use embedded_graphics::pixelcolor::Rgb565;
 use panic_halt as _;
 use rp2040_hal::entry;
 use spanfill::{Bands, MsbFirst, Rows, buffer_size};
