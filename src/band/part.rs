@@ -105,6 +105,8 @@ impl<C: PixelColor, L: Layout<C>> DrawTarget for Band<'_, C, L> {
 }
 
 impl<C: PixelColor, L: Layout<C>> Canvas for Band<'_, C, L> {
+    const IS_PART: bool = true;
+
     #[inline]
     fn solid(&mut self, colour: C) -> impl BlockSink<Error = Infallible> {
         self.surface().solid(colour)

@@ -56,6 +56,12 @@ impl<S: Shape, C: PixelColor> Filled<S, C> {
     #[inline]
     pub fn draw_on<D: Canvas<Color = C>>(&self, target: &mut D) -> Result<(), D::Error> {
         let clip = PixelRect::from(target.bounding_box());
+        if D::IS_PART {
+            let rows = self.shape.bounds().rows;
+            if rows.start >= clip.rows.end || rows.end <= clip.rows.start {
+                return Ok(());
+            }
+        }
         self.shape.blocks(&clip, &mut target.solid(self.colour))
     }
 }

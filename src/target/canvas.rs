@@ -12,6 +12,10 @@ use crate::span::BlockSink;
 ///   draw_on   shape -block-> rows of memory                          a canvas: the shape has been clipped already
 /// ```
 pub trait Canvas: DrawTarget {
+    /// Whether it is one of many parts that a scene is drawn on, as a band: most shapes are not on it, and are compared with its
+    /// rows before anything else.
+    const IS_PART: bool = false;
+
     /// What fills blocks in a colour. They must lie inside the bounding box, as those of a shape do that is clipped to it; what
     /// others do to the target's pixels is not said.
     fn solid(&mut self, colour: Self::Color) -> impl BlockSink<Error = Self::Error>;
