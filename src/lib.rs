@@ -10,8 +10,8 @@
 //! Cover -clip-> edges and cells -a row of pixels-> Span, run of coverage -> Blend -> fill_solid, fill_contiguous
 //!
 //! limits · subpixel · geometry, fragment · contours · angle · turn · outline · path, stroke · edge · span, error
-//! · coverage · area · shape, target · primitive, collected · blend · draw · seed_fill · attribute · paint, splat · eg
-//! · methods
+//! · coverage · area · shape, target · primitive, collected · blend · draw · seed_fill · attribute · paint, splat
+//! · framebuffer · band, damage · eg · methods
 //! ```
 //!
 //! A module uses only what stands to its left. Shapes know no colours and no targets: they push [`Span`]s or blocks
@@ -103,16 +103,19 @@
 mod angle;
 mod area;
 mod attribute;
+mod band;
 mod blend;
 mod collected;
 mod contours;
 mod coverage;
+mod damage;
 mod draw;
 mod edge;
 #[cfg(feature = "embedded-graphics")]
 pub mod eg;
 mod error;
 mod fragment;
+mod framebuffer;
 mod geometry;
 mod limits;
 #[cfg(feature = "methods")]
@@ -140,17 +143,22 @@ extern crate std;
 pub use angle::Angle;
 pub use area::CoverageEdge;
 pub use attribute::{
-    Affine, AttributeSink, Attributes, Barycentric, Channels, DepthBuffer, DepthBufferError, DepthTest, DepthTested,
-    EXACT, EmptyTexture, Filter, Gouraud, NotInFront, PACKED, Perspective, Shaded, Texture, Values, Weights, Wrap,
+    Affine, AttributeRow, AttributeSink, Attributes, Barycentric, Channels, DepthBuffer, DepthBufferError, DepthTest,
+    DepthTested, EXACT, EmptyTexture, Filter, Gouraud, NotInFront, PACKED, Perspective, Shaded, Texture, Weights, Wrap,
     average,
 };
+pub use band::{Band, Bands, FrameError, Parts, Transfer, Transmit};
 pub use blend::{Blend, Dither, InPlace, Linear, Mix, MixLinear, Over, ReadBack};
 pub use collected::{TooFewVertices, collect};
 pub use coverage::{Cell, CoverageSink, SampleCell, Samples};
+pub use damage::Damage;
 pub use draw::{AntiAlias, AntiAliased, Fill, Filled};
 pub use error::{TooLittleScratch, TooManyEdges};
 pub use fixed::types::I24F8;
 pub use fragment::{Fragment, FragmentSink};
+pub use framebuffer::{
+    Framebuffer, FramebufferError, Layout, LsbFirst, MsbFirst, Order, PackedColor, Pages, Rows, Values, buffer_size,
+};
 pub use geometry::{PixelRect, Vertex};
 pub use outline::{
     Curve, CurvePoints, CurveSink, Curves, FinePoint, FineRect, Flattened, Outline, OutlineCount, OutlineSink,
@@ -169,7 +177,7 @@ pub use shape::{
 };
 pub use span::{BlockSink, Span, SpanSink};
 pub use stroke::{Cap, Join, Stroke, StrokeStyle};
-pub use target::{PixelRows, View};
+pub use target::{Canvas, PixelRows, View};
 pub use turn::Turn;
 
 /// The traits that a program which draws needs in scope.

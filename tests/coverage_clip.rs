@@ -12,8 +12,8 @@ use oracle::{
     rule::{At, edges},
 };
 use spanfill::{
-    AntiAlias as _, Circle, Cover, CoverageEdge, CoverageSink, Line, Over, PixelRect, Polygon, Span,
-    TooLittleScratch, TooManyEdges, Triangle, Vertex,
+    AntiAlias as _, Circle, Cover, CoverageEdge, CoverageSink, Line, Over, PixelRect, Polygon, Span, TooLittleScratch,
+    TooManyEdges, Triangle, Vertex,
 };
 
 /// Cuts a range anywhere, into pieces some of which may be empty.
@@ -189,7 +189,9 @@ fn any_amount_of_scratch_draws_the_same() {
             let (least, most) = (polygon.coverage_edges(), polygon.coverage_edges_at_most());
             // All of them used before.
             let mut edges = vec![CoverageEdge::EMPTY; most + 5];
-            for count in [least, least + 1, least + rng.index(5), usize::midpoint(least, most).max(least), most, most + 5] {
+            for count in
+                [least, least + 1, least + rng.index(5), usize::midpoint(least, most).max(least), most, most + 5]
+            {
                 let polygon = polygon.coverage_in(&mut edges[..count]).unwrap();
                 let code = || format!("with {count} edges: {}", outline.code());
                 check_same_coverage(&coverage(&polygon, &window), &whole, code);

@@ -4,8 +4,8 @@ mod oracle;
 
 use oracle::{CoverageGrid, coverage, rect};
 use spanfill::{
-    Angle, Arc, Cap, CoverageEdge, Ellipse, I24F8, Outline, OutlineSink, Path, Polygon, Ring, RoundedRectangle,
-    Sector, Stroke, StrokeStyle, SvgElements, TooFewVertices, Vertex, collect,
+    Angle, Arc, Cap, CoverageEdge, Ellipse, I24F8, Outline, OutlineSink, Path, Polygon, Ring, RoundedRectangle, Sector,
+    Stroke, StrokeStyle, SvgElements, TooFewVertices, Vertex, collect,
 };
 
 const SIZE: i32 = 64;

@@ -24,6 +24,7 @@ Commands:
                      Runs `attributes` on an emulated Cortex-M4: a table of instructions a pixel of triangles whose
                      colour, texture or depth varies. The CSV rows follow the table, or go to OUT.
   cube3d             Runs `cube3d_cycles` on an emulated Cortex-M4: instructions a frame of examples/cube3d.
+  frame              Runs `frame_cycles` on the same: what the crate's framebuffers cost, in instructions.
 
 Environment:
   SPANFILL_TOOLCHAIN   `rustup`: the toolchain in use, with rustup's targets, which are added where they are missing.
@@ -53,8 +54,10 @@ build_everything() {
     build_firmware attributes thumbv7em-none-eabi >/dev/null
     build_firmware cube3d_cycles thumbv7em-none-eabi >/dev/null
     build_firmware no_panic_varying thumbv7em-none-eabi >/dev/null
-    echo "run.sh: linking no_panic, which fails if the library has a panic path" >&2
+    build_frame >/dev/null
+    echo "run.sh: linking no_panic and no_panic_frames, which fails if the library has a panic path" >&2
     # Every shape with every blending is more than the board has room for, and need not run.
+    build_firmware no_panic_frames thumbv7em-none-eabi >/dev/null
     build_firmware no_panic thumbv7m-none-eabi --features embedded-graphics \
         -- -C link-arg=--defsym=_flash_length=4M >/dev/null
 }
@@ -69,6 +72,10 @@ build_cycles() {
 
 build_cycles_aa() {
     build_firmware cycles_aa thumbv7em-none-eabihf
+}
+
+build_frame() {
+    build_firmware frame_cycles thumbv7em-none-eabi
 }
 
 # --- Running ---------------------------------------------------------------------------------------------------------
@@ -124,6 +131,14 @@ await_reply() {
         [[ $line == *"$1"* ]] && return
     done
     fail "QEMU's monitor does not answer"
+}
+
+run_frame() {
+    need qemu-system-arm qemu-system-arm
+    local elf
+    elf=$(build_frame)
+    timeout 300 qemu-system-arm -machine mps2-an386 -icount shift=0 -nographic \
+        -semihosting-config enable=on,target=native -kernel "$elf" </dev/null || fail "the firmware failed"
 }
 
 # run_cycles EXAMPLE [ARGUMENT...]
@@ -233,7 +248,7 @@ case $command in
     usage
     exit
     ;;
-build | oled | cycles | cycles_aa | attributes | cube3d) ;;
+build | oled | cycles | cycles_aa | attributes | cube3d | frame) ;;
 *) fail "there is no '$command'; see --help" ;;
 esac
 
@@ -247,4 +262,5 @@ oled) run_oled "$(in_caller_dir "${1:-oled.png}")" ;;
 cycles | cycles_aa) run_cycles "$command" "$@" ;;
 attributes) run_attributes "$@" ;;
 cube3d) run_cube3d ;;
+frame) run_frame ;;
 esac

@@ -5,8 +5,8 @@ use std::convert::Infallible;
 use embedded_graphics::{image::GetPixel, pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
 use embedded_graphics_simulator::SimulatorDisplay;
 use spanfill::{
-    ActiveEdge, AntiAlias, Circle, Cover, CoverageEdge, CoverageSink, Fill, Line, Mix, PixelRect, Polygon,
-    ReadBack, SampleCell, SampleEdge, Samples, Shape, Span, SpanSink, Triangle, Vertex,
+    ActiveEdge, AntiAlias, Circle, Cover, CoverageEdge, CoverageSink, Fill, Line, Mix, PixelRect, Polygon, ReadBack,
+    SampleCell, SampleEdge, Samples, Shape, Span, SpanSink, Triangle, Vertex,
 };
 
 use super::{

@@ -5,7 +5,7 @@ use core::iter::repeat;
 use crate::{
     PixelRect, Triangle,
     attribute::{
-        AttributeSink, Attributes, Values,
+        AttributeRow, AttributeSink, Attributes,
         plane::{Planes, Rightwards, Word},
         walk::{Oriented, walk},
     },
@@ -85,7 +85,7 @@ impl Affine<3> {
     }
 }
 
-impl<W: Word, const N: usize> Values<N> for Rightwards<W, N> {
+impl<W: Word, const N: usize> AttributeRow<N> for Rightwards<W, N> {
     /// Out of line: within a walk, its registers would be taken.
     #[inline(never)]
     fn write<T>(self, into: &mut [T], mut write: impl FnMut(&mut T, [i32; N])) {

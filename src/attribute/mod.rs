@@ -29,4 +29,4 @@ pub use gouraud::{EXACT, Gouraud, PACKED};
 pub use perspective::{NotInFront, Perspective};
 pub use shaded::{Attributes, DepthTested, Shaded};
 pub use texture::{EmptyTexture, Filter, Texture, Wrap};
-pub use values::{AttributeSink, Values};
+pub use values::{AttributeRow, AttributeSink};

@@ -25,7 +25,7 @@ use core::{array, iter::repeat};
 use crate::{
     PixelRect, Triangle,
     attribute::{
-        AttributeSink, Attributes, Values,
+        AttributeRow, AttributeSink, Attributes,
         affine::depth,
         plane::{Planes, Standing, Strides, Word},
         walk::{Oriented, walk},
@@ -295,7 +295,7 @@ impl<W: Word, const N: usize> Iterator for Pieces<'_, W, N> {
     }
 }
 
-impl<W: Word, const N: usize> Values<N> for Pieces<'_, W, N> {
+impl<W: Word, const N: usize> AttributeRow<N> for Pieces<'_, W, N> {
     #[inline(never)]
     fn write<T>(mut self, into: &mut [T], mut write: impl FnMut(&mut T, [i32; N])) {
         let mut rest = into;

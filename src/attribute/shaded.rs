@@ -9,7 +9,7 @@ use embedded_graphics_core::{
 
 use crate::{
     Fragment, FragmentSink, PixelRect, Triangle,
-    attribute::{AttributeSink, DepthBuffer, DepthTest, Values},
+    attribute::{AttributeRow, AttributeSink, DepthBuffer, DepthTest},
     blend::PIECE,
     shape::Shape as _,
     span::Span,
@@ -63,7 +63,12 @@ impl<S: FragmentSink<N>, const N: usize> AttributeSink<N> for EachFragment<'_, S
     type Error = S::Error;
 
     #[inline]
-    fn span(&mut self, span: Span, values: impl Values<N>, depths: impl Iterator<Item = u16>) -> Result<(), S::Error> {
+    fn span(
+        &mut self,
+        span: Span,
+        values: impl AttributeRow<N>,
+        depths: impl Iterator<Item = u16>,
+    ) -> Result<(), S::Error> {
         let Span { row: y, columns } = span;
         for (x, (attributes, depth)) in columns.zip(values.zip(depths)) {
             self.0.fragment(Fragment { x, y, coverage: 255, depth, attributes })?;
@@ -131,7 +136,7 @@ impl<D: DrawTarget, F: Fn([i32; N]) -> D::Color + Copy, const N: usize> Attribut
     type Error = D::Error;
 
     #[inline]
-    fn span(&mut self, span: Span, values: impl Values<N>, _: impl Iterator<Item = u16>) -> Result<(), D::Error> {
+    fn span(&mut self, span: Span, values: impl AttributeRow<N>, _: impl Iterator<Item = u16>) -> Result<(), D::Error> {
         let area = row_area(&span);
         let width = usize::try_from(area.size.width).unwrap_or(usize::MAX);
         self.target.fill_contiguous(&area, values.map(self.shade).take(width))
@@ -159,7 +164,7 @@ impl<D: PixelRows, F: Fn([i32; N]) -> D::Color + Copy, const N: usize> Attribute
     fn span(
         &mut self,
         span: Span,
-        values: impl Values<N>,
+        values: impl AttributeRow<N>,
         _: impl Iterator<Item = u16>,
     ) -> Result<(), core::convert::Infallible> {
         let shade = self.shade;
@@ -233,7 +238,7 @@ impl<D: PixelRows, F: Fn([i32; N]) -> D::Color + Copy, const N: usize> Attribute
     fn span(
         &mut self,
         span: Span,
-        values: impl Values<N>,
+        values: impl AttributeRow<N>,
         depths: impl Iterator<Item = u16>,
     ) -> Result<(), core::convert::Infallible> {
         let Self { ref mut target, ref mut buffer, shade, test } = *self;
@@ -302,7 +307,12 @@ impl<D: DrawTarget, F: Fn([i32; N]) -> D::Color + Copy, const N: usize> Attribut
 
     /// Passing pixels go to the target in runs of at most `PIECE`.
     #[inline]
-    fn span(&mut self, span: Span, values: impl Values<N>, depths: impl Iterator<Item = u16>) -> Result<(), D::Error> {
+    fn span(
+        &mut self,
+        span: Span,
+        values: impl AttributeRow<N>,
+        depths: impl Iterator<Item = u16>,
+    ) -> Result<(), D::Error> {
         let Span { row, columns } = span.clone();
         let mut run = heapless::Vec::<D::Color, PIECE>::new();
         let kept = self.buffer.row_mut(&span);

@@ -3,7 +3,7 @@
 use crate::span::Span;
 
 /// The values at the centres of a span, from left to right. They have no end: the span says how many there are.
-pub trait Values<const N: usize>: Iterator<Item = [i32; N]> {
+pub trait AttributeRow<const N: usize>: Iterator<Item = [i32; N]> {
     /// Gives every item of `into` its values, from left to right: as by the iterator, and faster where values come in
     /// pieces.
     #[inline(always)]
@@ -32,7 +32,7 @@ pub trait AttributeSink<const N: usize> {
     fn span(
         &mut self,
         span: Span,
-        values: impl Values<N>,
+        values: impl AttributeRow<N>,
         depths: impl Iterator<Item = u16>,
     ) -> Result<(), Self::Error>;
 }

@@ -13,7 +13,8 @@ use crate::{
 };
 
 /// Blends over what is there, in the memory of the target: [`ReadBack`](crate::ReadBack) for targets that have
-/// [`PixelRows`], to the same pixels, in less time.
+/// [`PixelRows`], to the same pixels, in less time. A [`Framebuffer`](crate::Framebuffer) or a [`Band`](crate::Band) of packed
+/// pixels takes it, too.
 ///
 /// ```text
 ///   shown before    a   a   b    b    b

@@ -9,6 +9,7 @@ use crate::{
     blend::{Blend, Dither, Linear, Mix, MixLinear, Over},
     draw::blended::BlendedFill,
     shape::Cover,
+    span::clip_range,
 };
 
 /// Gives every shape that has [coverage](Cover) a colour and a way to blend it.
@@ -138,6 +139,11 @@ impl<S: Cover, C: PixelColor, B> AntiAliased<S, C, B> {
             return Ok(());
         }
         let clip = PixelRect::from(target.bounding_box());
+        // Of a frame in bands, most shapes are not on most of the bands.
+        let touched = shape.touched();
+        if clip_range(&touched.rows, &clip.rows).is_empty() || clip_range(&touched.columns, &clip.columns).is_empty() {
+            return Ok(());
+        }
         shape.coverage(&clip, &mut BlendedFill { target, blend, colour, opacity })
     }
 }

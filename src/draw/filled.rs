@@ -10,7 +10,7 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 
-use crate::{PixelRect, shape::Shape, span::BlockSink};
+use crate::{PixelRect, shape::Shape, span::BlockSink, target::Canvas};
 
 /// Gives every [`Shape`] a colour.
 pub trait Fill: Shape + Sized {
@@ -31,6 +31,39 @@ impl<S: Shape> Fill for S {}
 pub struct Filled<S, C> {
     shape: S,
     colour: C,
+}
+
+impl<S: Shape, C: PixelColor> Filled<S, C> {
+    /// Draws on a target in memory, without a `fill_solid` for each span: the pixels of [`draw`](Drawable::draw), in less
+    /// time.
+    ///
+    /// # Errors
+    ///
+    /// The target's, at once.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use embedded_graphics::{pixelcolor::Gray4, prelude::*};
+    /// use spanfill::{Framebuffer, MsbFirst, Rows, Triangle, prelude::*};
+    ///
+    /// let mut frame = Framebuffer::<Gray4, Rows<MsbFirst>, _>::new([0; 32], Size::new(8, 8)).unwrap();
+    /// let triangle = Triangle::new(Point::new(0, 0), Point::new(7, 0), Point::new(0, 7));
+    /// triangle.filled(Gray4::WHITE).draw_on(&mut frame)?;
+    /// assert_eq!(frame.units()[..8], [0xFF, 0xFF, 0xFF, 0xF0, 0xFF, 0xFF, 0xFF, 0x00]);
+    /// # Ok::<(), core::convert::Infallible>(())
+    /// ```
+    #[inline]
+    pub fn draw_on<D: Canvas<Color = C>>(&self, target: &mut D) -> Result<(), D::Error> {
+        let clip = PixelRect::from(target.bounding_box());
+        if D::IS_PART {
+            let rows = self.shape.bounds().rows;
+            if rows.start >= clip.rows.end || rows.end <= clip.rows.start {
+                return Ok(());
+            }
+        }
+        self.shape.blocks(&clip, &mut target.solid(self.colour))
+    }
 }
 
 impl<S: Shape, C: PixelColor> Drawable for Filled<S, C> {

@@ -1,7 +1,9 @@
 //! Targets in memory.
 
+mod canvas;
 mod view;
 
+pub use canvas::Canvas;
 pub use view::View;
 
 use embedded_graphics_core::{draw_target::DrawTarget, geometry::Point};

@@ -3,8 +3,8 @@
 use core::convert::Infallible;
 
 use spanfill::{
-    Cover, CoverageEdge, FillRule, FragmentSink, Line, PixelRect, Polygon, SampleCell, SampleEdge, Samples,
-    Triangle, Vertex,
+    Cover, CoverageEdge, FillRule, FragmentSink, Line, PixelRect, Polygon, SampleCell, SampleEdge, Samples, Triangle,
+    Vertex,
     methods::{
         antialias::{
             Error, Outline, Side, accumulated, exact, grid, line_met, line_rectangle,

@@ -1,0 +1,18 @@
+//! A display on the host.
+
+use std::{env, path::PathBuf};
+
+use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
+
+use crate::SCREEN;
+
+/// Draws, and saves the picture: to the file that the program is told, or to one named after it.
+pub fn run(name: &str, draw: impl FnOnce(&mut SimulatorDisplay<Rgb565>)) {
+    let mut lcd = SimulatorDisplay::new(SCREEN);
+    draw(&mut lcd);
+    let file = env::args_os().nth(1).map_or_else(|| PathBuf::from(format!("{name}.png")), PathBuf::from);
+    let picture = lcd.to_rgb_output_image(&OutputSettings::default());
+    picture.save_png(&file).unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+    println!("{}", file.display());
+}
