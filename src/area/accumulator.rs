@@ -146,9 +146,8 @@ impl Accumulator {
     }
 
     fn to_the_left(&mut self, dy: i32, weight: i32) {
-        if let [first, ..] = &mut self.differences {
-            *first = first.wrapping_add((dy << 4).wrapping_mul(weight));
-        }
+        let [first, ..] = &mut self.differences;
+        *first = first.wrapping_add((dy << 4).wrapping_mul(weight));
         self.touched |= 1;
     }
 
@@ -195,9 +194,8 @@ impl Accumulator {
         if touched != 0 {
             self.clear();
         }
-        if let [.., last] = &mut self.differences {
-            *last = 0;
-        }
+        let [.., last] = &mut self.differences;
+        *last = 0;
     }
 
     /// Zeroes what has been handed over.
