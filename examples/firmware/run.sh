@@ -17,6 +17,10 @@ Commands:
   cycles [--csv OUT] [--readme FILE]
                      Runs `cycles` on an emulated Cortex-M4: a table of instructions a shape. The CSV rows follow the
                      table, or go to OUT. In FILE, the table replaces what stands between its two `cycles` markers.
+  methods [--csv OUT]
+                     Runs `methods` on an emulated Cortex-M4, with and without its float unit: instructions by each
+                     method of the literature, as CSV rows, which go to OUT. Takes some minutes. For the charts:
+                     run.sh methods --csv docs/charts/cortex-m4.csv
 
 Environment:
   SPANFILL_TOOLCHAIN   `rustup`: the toolchain in use, with rustup's targets, which are added where they are missing.
@@ -109,6 +113,7 @@ build_everything() {
     done
     build_oled >/dev/null
     build_cycles >/dev/null
+    build_firmware methods thumbv7em-none-eabi >/dev/null
     echo "run.sh: linking no_panic, which fails if the library has a panic path" >&2
     # Every shape with every blending is more than the board has room for, and need not run.
     build_firmware no_panic thumbv7m-none-eabi --features embedded-graphics \
@@ -206,6 +211,35 @@ run_cycles() {
     [[ -z $readme ]] || put_table_into "$readme"
 }
 
+run_methods() {
+    local csv=
+    while (($#)); do
+        case $1 in
+        --csv) csv=$(in_caller_dir "${2:?--csv needs the name of a file}") ;;
+        *) fail "methods does not know '$1'; see --help" ;;
+        esac
+        shift 2
+    done
+    need qemu-system-arm qemu-system-arm
+    # One compiler for both: otherwise the charts compare compilers.
+    if [[ -z ${SPANFILL_TOOLCHAIN:-} ]]; then
+        SPANFILL_TOOLCHAIN=debian
+        if rustup_provides thumbv7em-none-eabi && rustup_provides thumbv7em-none-eabihf; then SPANFILL_TOOLCHAIN=rustup; fi
+    fi
+    local target elf
+    for target in thumbv7em-none-eabi thumbv7em-none-eabihf; do
+        elf=$(build_firmware methods "$target")
+        [[ -n $elf ]] || fail "methods was not built for $target"
+        echo "run.sh: counting on $target" >&2
+        timeout 1800 qemu-system-arm -machine mps2-an386 -icount shift=0 -nographic \
+            -semihosting-config enable=on,target=native -kernel "$elf" </dev/null >"$scratch/said" ||
+            fail "the firmware failed: $(tail -n 5 "$scratch/said")"
+        # The second table goes on where the first ends.
+        if [[ -s $scratch/counts ]]; then sed 1d "$scratch/said"; else cat "$scratch/said"; fi >>"$scratch/counts"
+    done
+    if [[ -n $csv ]]; then cat "$scratch/counts" >"$csv"; else cat "$scratch/counts"; fi
+}
+
 # put_table_into FILE: replaces what stands between its two markers.
 put_table_into() {
     grep -q '<!-- cycles:begin -->' "$1" && grep -q '<!-- cycles:end -->' "$1" ||
@@ -227,7 +261,7 @@ case $command in
     usage
     exit
     ;;
-build | oled | cycles) ;;
+build | oled | cycles | methods) ;;
 *) fail "there is no '$command'; see --help" ;;
 esac
 
@@ -256,4 +290,5 @@ case $command in
 build) build_everything ;;
 oled) run_oled "$(in_caller_dir "${1:-oled.png}")" ;;
 cycles) run_cycles "$@" ;;
+methods) run_methods "$@" ;;
 esac

@@ -1,0 +1,123 @@
+//! The shapes that the oracle knows, in the methods' own form.
+
+use std::{iter, ops::Range};
+
+use spanfill::{Circle, FillRule, I24F8, Line, Triangle, Vertex};
+
+use super::{
+    suite::{Aim, Subject},
+    truth::{Truth, Wanted},
+};
+use crate::{
+    oracle::{
+        Belongs, HasArea, Outline,
+        rule::{At, centre, cross},
+    },
+    variants::WIDTH,
+};
+
+type Window = [Range<i32>; 2];
+
+fn vertex([x, y]: [i32; 2]) -> Vertex {
+    Vertex::from_bits(x, y)
+}
+
+/// Marks what belongs to a shape, and which of the pixels around it are ties.
+fn fill(truth: &mut Truth, shape: &impl Belongs, [columns, rows]: &Window, is_tie: impl Fn(i32, i32) -> bool) {
+    for row in rows.clone() {
+        let has = shape.has_in_row(row);
+        for column in columns.clone() {
+            let wanted = &mut truth.wanted[(row * WIDTH + column) as usize];
+            wanted.count += u16::from(has(column));
+            wanted.is_tie |= is_tie(column, row);
+        }
+    }
+}
+
+/// Notes how much of each pixel is covered; those that are touched at all are wanted.
+fn cover(truth: &mut Truth, shape: &impl HasArea, [columns, rows]: &Window) {
+    truth.coverage = vec![0.0; truth.wanted.len()];
+    for row in rows.clone() {
+        for (area, column) in shape.areas_in_row(row, columns).iter().zip(columns.clone()) {
+            let at = (row * WIDTH + column) as usize;
+            truth.coverage[at] = area.value;
+            // What is less than half a 255th may be left out or not.
+            truth.wanted[at] = Wanted { count: u16::from(area.value > 0.5 / 255.0), is_tie: area.value < 1.0 / 255.0 };
+        }
+    }
+}
+
+/// Whether the centre of a pixel lies on a closed outline.
+fn lies_on(vertices: &[[i32; 2]], column: i32, row: i32) -> bool {
+    let p = centre(column, row);
+    let following = vertices.iter().skip(1).chain(vertices.first());
+    vertices.iter().zip(following).any(|(a, b)| {
+        let (a, b) = (At::from(vertex(*a)), At::from(vertex(*b)));
+        let within = |a: i64, b: i64, p: i64| a.min(b) <= p && p <= a.max(b);
+        within(a.x, b.x, p.x) && within(a.y, b.y, p.y) && cross(a, b, p) == 0
+    })
+}
+
+/// In pixels, for the eye.
+fn in_pixels(vertices: &[[i32; 2]]) -> Vec<(f64, f64)> {
+    vertices.iter().map(|[x, y]| (f64::from(*x) / 256.0, f64::from(*y) / 256.0)).collect()
+}
+
+/// The part of the window that a shape between these heights and columns can reach, a pixel around it included.
+fn reach(window: &Window, points: impl Iterator<Item = [i32; 2]> + Clone) -> Window {
+    let range = |axis: usize| {
+        let least = points.clone().map(|point| point[axis] >> 8).min().unwrap_or(0).saturating_sub(1);
+        let most = points.clone().map(|point| point[axis] >> 8).max().unwrap_or(0).saturating_add(2);
+        least.max(window[axis].start).min(window[axis].end)..most.min(window[axis].end).max(window[axis].start)
+    };
+    [range(0), range(1)]
+}
+
+impl Subject for [[i32; 2]; 3] {
+    type Drawn = Self;
+
+    fn parts(&self) -> impl Iterator<Item = &Self> {
+        iter::once(self)
+    }
+
+    fn truth(&self, aim: Aim, window: &Window) -> Truth {
+        let mut truth = Truth::new();
+        let triangle = Triangle::from_vertices(self.map(vertex));
+        let window = reach(window, self.iter().copied());
+        match aim {
+            Aim::Coverage => cover(&mut truth, &triangle, &window),
+            _ => fill(&mut truth, &triangle, &window, |column, row| lies_on(self, column, row)),
+        }
+        truth
+    }
+
+    fn outline(&self) -> Vec<Vec<(f64, f64)>> {
+        vec![in_pixels(self)]
+    }
+}
+
+/// Triangles that share edges, each drawn by itself: every pixel inside belongs to one of them.
+#[derive(Debug, Clone)]
+pub(crate) struct Mesh(pub(crate) Vec<[[i32; 2]; 3]>);
+
+impl Subject for Mesh {
+    type Drawn = [[i32; 2]; 3];
+
+    fn parts(&self) -> impl Iterator<Item = &Self::Drawn> {
+        self.0.iter()
+    }
+
+    fn truth(&self, _: Aim, window: &Window) -> Truth {
+        let mut truth = Truth::new();
+        for triangle in &self.0 {
+            let window = reach(window, triangle.iter().copied());
+            // Not a tie: between triangles that share an edge somebody has to draw the pixel, and only one.
+            fill(&mut truth, &Triangle::from_vertices(triangle.map(vertex)), &window, |_, _| false);
+        }
+        truth
+    }
+
+    fn outline(&self) -> Vec<Vec<(f64, f64)>> {
+        self.0.iter().map(|triangle| in_pixels(triangle)).collect()
+    }
+}
