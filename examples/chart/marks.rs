@@ -3,14 +3,11 @@
 use std::{collections::BTreeMap, error::Error, path::Path};
 
 use crate::{
-    csv_files::{ERRORS, TIMES, read},
+    csv_files::{CORTEX_M4, ERRORS, TIMES, read},
     families::{GALLERY, slug},
     measure::{Aim, Entry, Suite},
     plot::{Frame, Mark, svg},
 };
-
-/// The columns of the firmware's table.
-pub(crate) const CORTEX_M4: [&str; 7] = ["core", "family", "method", "option", "scene", "instructions", "pixels"];
 
 /// The firmware's table.
 const CORTEX_M4_FILE: &str = "cortex-m4.csv";
@@ -47,8 +44,10 @@ pub(crate) fn charts(family: &str, suites: &[Suite], folder: &Path) -> Result<Ve
         for (core, name) in [("soft", "without"), ("hard", "with")] {
             let rows = counts.iter().filter(|row| row[0] == core && row[1] == family).cloned().collect();
             let rows = by_key(rows, 2);
-            let instructions =
-                |entry: &Entry, scene: &str| Some(number(&rows, entry, scene, 5)? / number(&rows, entry, scene, 6)?);
+            let instructions = |entry: &Entry, scene: &str| {
+                let shapes = number(&rows, entry, scene, SHAPES)? as usize;
+                Some(number(&rows, entry, scene, SHAPES + 1)? / first_pixels(suites, entry, scene, shapes))
+            };
             let marks = self::marks(suites, *aim, &errors, &instructions);
             if !marks.is_empty() {
                 let frame = Frame {
@@ -72,6 +71,18 @@ pub(crate) fn charts(family: &str, suites: &[Suite], folder: &Path) -> Result<Ve
         }
     }
     Ok(charts)
+}
+
+/// The column of the firmware's table that says how many shapes of a scene were drawn.
+const SHAPES: usize = 5;
+
+/// The pixels of a scene's first shapes by the oracle.
+fn first_pixels(suites: &[Suite], entry: &Entry, scene: &str, shapes: usize) -> f64 {
+    let has = |suite: &&Suite| suite.entries.iter().any(|other| std::ptr::eq(other, entry));
+    let Some(suite) = suites.iter().find(has) else { return f64::NAN };
+    let Some(scene) = suite.scenes.iter().position(|(name, _)| *name == scene) else { return f64::NAN };
+    let pixels: u64 = (0..shapes.min(suite.scenes[scene].1)).map(|shape| suite.truth(scene, shape, entry.aim).pixels()).sum();
+    pixels.max(1) as f64
 }
 
 fn error_name(aim: Aim) -> &'static str {

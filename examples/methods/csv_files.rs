@@ -15,6 +15,9 @@ pub(crate) const ERRORS: [&str; 15] = [
 /// The columns of a table of times.
 pub(crate) const TIMES: [&str; 4] = ["method", "option", "scene", "ns_per_pixel"];
 
+/// The columns of the firmware's table of instructions.
+pub(crate) const CORTEX_M4: [&str; 7] = ["core", "family", "method", "option", "scene", "shapes", "instructions"];
+
 /// A row of a table of errors: the same on every machine.
 pub(crate) fn error_row(entry: &Entry, scene: &str, shapes: usize, tally: &Tally) -> Vec<String> {
     let mean = tally.levels / (tally.pixels.max(1)) as f64;
