@@ -9,7 +9,7 @@
 //! Shape -clip-> Edge -one step a row-> Span, or a block of equal rows -> colour -> DrawTarget::fill_solid
 //! Cover -clip-> edges and cells -a row of pixels-> Span, run of coverage -> Blend -> fill_solid, fill_contiguous
 //!
-//! limits · subpixel · geometry, fragment · turn · edge · span, error · coverage · shape, target · blend · draw · eg · methods
+//! limits · subpixel · geometry, fragment · turn · edge · span, error · coverage · shape, target · blend · draw · seed_fill · eg · methods
 //! ```
 //!
 //! A module uses only what stands to its left. Shapes know no colours and no targets: they push [`Span`]s or blocks
@@ -108,7 +108,9 @@ mod error;
 mod fragment;
 mod geometry;
 mod limits;
+#[cfg(feature = "methods")]
 pub mod methods;
+mod seed_fill;
 mod shape;
 mod span;
 mod subpixel;
@@ -129,6 +131,7 @@ pub use error::{TooLittleScratch, TooManyEdges};
 pub use fixed::types::I24F8;
 pub use fragment::{Fragment, FragmentSink};
 pub use geometry::{PixelRect, Vertex};
+pub use seed_fill::{Connectivity, FillRegion, FillSegment, SeedFill, SeedFillError};
 pub use shape::{
     ActiveEdge, ActiveEdges, Circle, Cover, CoverageEdge, FillRule, Line, Polygon, PolygonCoverageIn,
     PolygonCoverageWith, PolygonEdges, PolygonInScratch, PolygonWithCapacity, SampleEdge, Shape, SupersampledIn,

@@ -113,7 +113,7 @@ build_everything() {
     done
     build_oled >/dev/null
     build_cycles >/dev/null
-    build_firmware methods thumbv7em-none-eabi >/dev/null
+    build_firmware methods thumbv7em-none-eabi --features methods >/dev/null
     echo "run.sh: linking no_panic, which fails if the library has a panic path" >&2
     # Every shape with every blending is more than the board has room for, and need not run.
     build_firmware no_panic thumbv7m-none-eabi --features embedded-graphics \
@@ -228,7 +228,7 @@ run_methods() {
     fi
     local target elf
     for target in thumbv7em-none-eabi thumbv7em-none-eabihf; do
-        elf=$(build_firmware methods "$target")
+        elf=$(build_firmware methods "$target" --features methods)
         [[ -n $elf ]] || fail "methods was not built for $target"
         echo "run.sh: counting on $target" >&2
         timeout 1800 qemu-system-arm -machine mps2-an386 -icount shift=0 -nographic \
