@@ -2,6 +2,8 @@
 
 #[path = "../methods/canvas.rs"]
 mod canvas;
+#[path = "../../benches/drawings/mod.rs"]
+mod drawings;
 #[path = "../methods/families.rs"]
 mod families;
 #[path = "../methods/gallery.rs"]

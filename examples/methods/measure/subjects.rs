@@ -13,7 +13,7 @@ use crate::{
         Belongs, HasArea, Outline,
         rule::{At, centre, cross},
     },
-    variants::WIDTH,
+    variants::{self, WIDTH},
 };
 
 type Window = [Range<i32>; 2];
@@ -119,5 +119,69 @@ impl Subject for Mesh {
 
     fn outline(&self) -> Vec<Vec<(f64, f64)>> {
         self.0.iter().map(|triangle| in_pixels(triangle)).collect()
+    }
+}
+
+/// An outline that lasts, as the methods of polygons want it.
+pub(crate) fn outline(contours: Vec<Vec<[i32; 2]>>, even_odd: bool) -> variants::polygon::Outline {
+    let lasting = |contour: Vec<[i32; 2]>| -> &'static [[i32; 2]] { Vec::leak(contour) };
+    let contours: Vec<&'static [[i32; 2]]> = contours.into_iter().map(lasting).collect();
+    variants::polygon::Outline { contours: Vec::leak(contours), even_odd }
+}
+
+impl Subject for variants::polygon::Outline {
+    type Drawn = Self;
+
+    fn parts(&self) -> impl Iterator<Item = &Self> {
+        iter::once(self)
+    }
+
+    fn truth(&self, aim: Aim, window: &Window) -> Truth {
+        let mut truth = Truth::new();
+        let contours = self.contours.iter().map(|contour| contour.iter().copied().map(vertex).collect()).collect();
+        let rule = if self.even_odd { FillRule::EvenOdd } else { FillRule::NonZero };
+        let polygon = Outline::new(contours, rule);
+        let window = reach(window, self.contours.iter().flat_map(|contour| contour.iter().copied()));
+        match aim {
+            Aim::Coverage => cover(&mut truth, &polygon, &window),
+            _ => {
+                fill(&mut truth, &polygon, &window, |_, _| false);
+                mark_ties(&mut truth, self.contours, &window);
+            }
+        }
+        truth
+    }
+
+    fn outline(&self) -> Vec<Vec<(f64, f64)>> {
+        self.contours.iter().map(|contour| in_pixels(contour)).collect()
+    }
+}
+
+/// Marks the pixels whose centres lie on a closed contour: edge by edge, row by row.
+fn mark_ties(truth: &mut Truth, contours: &[&[[i32; 2]]], [columns, rows]: &Window) {
+    for contour in contours {
+        let following = contour.iter().skip(1).chain(contour.first());
+        for (a, b) in contour.iter().zip(following) {
+            for row in rows.clone() {
+                let y = 256 * i64::from(row) + 128;
+                let (ay, by) = (i64::from(a[1]), i64::from(b[1]));
+                if y < ay.min(by) || y > ay.max(by) {
+                    continue;
+                }
+                let (least, most) = (a[0].min(b[0]) >> 8, a[0].max(b[0]) >> 8);
+                let places = if ay == by {
+                    (least - 1).max(columns.start)..(most + 2).min(columns.end)
+                } else {
+                    // The one pixel that the edge meets here.
+                    let (ax, bx) = (i64::from(a[0]), i64::from(b[0]));
+                    let x = ax + ((y - ay) * (bx - ax)).div_euclid(by - ay);
+                    let column = i32::try_from(x >> 8).unwrap_or(i32::MAX);
+                    column.max(columns.start)..column.saturating_add(1).min(columns.end)
+                };
+                for column in places.filter(|column| lies_on(&[*a, *b], *column, row)) {
+                    truth.wanted[(row * WIDTH + column) as usize].is_tie = true;
+                }
+            }
+        }
     }
 }
