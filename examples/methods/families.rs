@@ -4,15 +4,21 @@
 
 use crate::{
     drawings,
-    measure::{Aim, Scene, Suite, subjects::outline},
+    measure::{
+        Aim, Scene, Suite,
+        subjects::{Mesh, outline},
+    },
     scenes,
-    variants::{self, polygon::Outline},
+    variants::{self, attribute::Shaded, polygon::Outline},
 };
 
 /// Every family. The last scene of each is the small one of the gallery.
 pub(crate) fn suites() -> Vec<Suite> {
     vec![
-        Suite::new("triangle: inside test", variants::triangle::TRIANGLES, triangles(), |_, _| Aim::Fill),
+        Suite::new("triangle: inside test", variants::triangle::INSIDE, triangles(), |_, _| Aim::Fill),
+        Suite::new("triangle: traversal", variants::triangle::TRAVERSAL, triangles(), |_, _| Aim::Fill),
+        Suite::new("shared edges", variants::triangle::SHARED, meshes(), |_, _| Aim::Fill),
+        Suite::new("attributes", variants::attribute::ATTRIBUTES, shaded(), aim_of_attributes),
         Suite::new("polygon", variants::polygon::POLYGONS, polygons(), |_, _| Aim::Fill),
     ]
 }
@@ -39,6 +45,44 @@ fn triangles() -> Vec<Scene<[[i32; 2]; 3]>> {
         ],
     };
     made.chain([gallery]).collect()
+}
+
+fn meshes() -> Vec<Scene<Mesh>> {
+    let made = scenes::MESHES.iter().map(|&(name, count)| Scene {
+        name,
+        shapes: (0..count).map(|index| Mesh(scenes::mesh(name, index).to_vec())).collect(),
+    });
+    let [a, b, c, d, e, f] =
+        [[384, 384], [2688, 384], [4992, 640], [1408, 2432], [384, 3968], [4736, 3712]];
+    let gallery = Scene { name: GALLERY, shapes: vec![Mesh(vec![[a, b, d], [b, c, d], [c, f, d], [a, d, e], [d, f, e]])] };
+    made.chain([gallery]).collect()
+}
+
+/// The first four scenes of triangles, and the large ones.
+fn shaded() -> Vec<Scene<Shaded>> {
+    let made = scenes::TRIANGLES.iter().map(|&(name, count)| Scene {
+        name,
+        shapes: (0..count).map(|index| shade(scenes::triangle(name, index), scenes::varying(name, index))).collect(),
+    });
+    let colours = [[255, 40, 40, 255], [40, 255, 60, 128], [30, 60, 255, 0]];
+    let corners = [[[150, 180], [4900, 1300], [900, 3900]], [[3300, 3800], [4900, 3900], [4800, 2200]]];
+    let gallery = Scene {
+        name: GALLERY,
+        shapes: corners.map(|corners| shade(corners, (colours, [65536, 262_144, 131_072], [0, 30000, 65535]))).to_vec(),
+    };
+    made.chain([gallery]).collect()
+}
+
+pub(crate) fn shade(vertices: [[i32; 2]; 3], (attributes, w, depth): scenes::Varying) -> Shaded {
+    Shaded { vertices, attributes, w, depth }
+}
+
+fn aim_of_attributes(method: &str, _: &str) -> Aim {
+    match method {
+        "perspective" => Aim::Perspective,
+        "depth" => Aim::Depth,
+        _ => Aim::Attributes,
+    }
 }
 
 /// Made ones, and two drawings of thousands of vertices.

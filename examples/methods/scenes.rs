@@ -40,6 +40,61 @@ pub(crate) fn triangle(scene: &str, index: usize) -> [Point; 3] {
     }
 }
 
+/// What varies across a triangle: attributes at each vertex, w in 1/65536, depth.
+pub type Varying = ([[i32; 4]; 3], [i32; 3], [u16; 3]);
+
+/// Colours, a perspective of up to 1 : 8, and depths, for the triangle of a scene.
+pub fn varying(scene: &str, index: usize) -> Varying {
+    let mut random = seeded(0xC010, scene, index);
+    let attributes = core::array::from_fn(|_| core::array::from_fn(|_| random.below(256)));
+    let w = core::array::from_fn(|_| 65536 + random.below(7 * 65536));
+    let depth = core::array::from_fn(|_| random.below(65536) as u16);
+    (attributes, w, depth)
+}
+
+/// The scenes of meshes, and how many of each.
+pub const MESHES: [(&str, usize); 4] = [("fan", 6), ("mesh", 4), ("mesh on pixels", 4), ("slivers", 6)];
+
+/// The triangles of a mesh.
+pub const MESH_TRIANGLES: usize = 32;
+
+/// Triangles that share edges: around a vertex, or two for each square of a bent grid, or a band of slivers.
+pub fn mesh(scene: &str, index: usize) -> [[Point; 3]; MESH_TRIANGLES] {
+    let mut random = seeded(0x3E54, scene, index);
+    let middle = [(60 + random.below(200)) * ONE, (60 + random.below(120)) * ONE];
+    if scene == "fan" {
+        let hub = centre(middle);
+        let rim: [Point; MESH_TRIANGLES] = core::array::from_fn(|at| {
+            let [cos, sin] = direction(at * 64 / MESH_TRIANGLES);
+            let radius = (20 + random.below(30)) * ONE;
+            centre([hub[0] + radius * cos / 64, hub[1] + radius * sin / 64])
+        });
+        return core::array::from_fn(|at| [hub, rim[at], rim[(at + 1) % MESH_TRIANGLES]]);
+    }
+    if scene == "slivers" {
+        // Up and down between two lines, half a pixel on at each step.
+        let place = |at: usize, jitter: i32| {
+            let x = middle[0] + at as i32 * ONE / 2 + jitter;
+            if at % 2 == 0 { [x, middle[1] - 40 * ONE] } else { [x, middle[1] + 40 * ONE + jitter] }
+        };
+        let jitters: [i32; MESH_TRIANGLES + 2] = core::array::from_fn(|_| random.below(64));
+        return core::array::from_fn(|at| [0, 1, 2].map(|corner| place(at + corner, jitters[at + corner])));
+    }
+    // Squares of 12 px, corners moved by up to 4.
+    let vertices: [[Point; 5]; 5] = core::array::from_fn(|row| {
+        core::array::from_fn(|column| {
+            let place = |from: i32, at: usize, random: &mut Random| from + (at as i32 * 12 - 24) * ONE + random.below(8 * ONE);
+            let vertex = [place(middle[0], column, &mut random), place(middle[1], row, &mut random)];
+            if scene == "mesh on pixels" { centre(vertex) } else { vertex }
+        })
+    });
+    core::array::from_fn(|at| {
+        let (row, column) = (at / 8, at / 2 % 4);
+        let [a, b] = [vertices[row][column], vertices[row + 1][column + 1]];
+        if at % 2 == 0 { [a, b, vertices[row][column + 1]] } else { [a, b, vertices[row + 1][column]] }
+    })
+}
+
 /// The scenes of lines.
 pub(crate) const LINES: [(&str, usize); 5] =
     [("typical", 40), ("short", 120), ("long", 24), ("nearly level", 40), ("off-screen", 24)];

@@ -96,15 +96,15 @@ impl Subject for [[i32; 2]; 3] {
     }
 }
 
-/// Triangles that share edges, each drawn by itself: every pixel inside belongs to one of them.
+/// Triangles that share edges: every pixel inside belongs to one of them.
 #[derive(Debug, Clone)]
 pub(crate) struct Mesh(pub(crate) Vec<[[i32; 2]; 3]>);
 
 impl Subject for Mesh {
-    type Drawn = [[i32; 2]; 3];
+    type Drawn = [[[i32; 2]; 3]];
 
     fn parts(&self) -> impl Iterator<Item = &Self::Drawn> {
-        self.0.iter()
+        iter::once(&self.0[..])
     }
 
     fn truth(&self, _: Aim, window: &Window) -> Truth {
@@ -184,4 +184,53 @@ fn mark_ties(truth: &mut Truth, contours: &[&[[i32; 2]]], [columns, rows]: &Wind
             }
         }
     }
+}
+
+impl Subject for variants::attribute::Shaded {
+    type Drawn = Self;
+
+    fn parts(&self) -> impl Iterator<Item = &Self> {
+        iter::once(self)
+    }
+
+    fn truth(&self, aim: Aim, window: &Window) -> Truth {
+        let mut truth = self.vertices.truth(Aim::Fill, window);
+        truth.attributes = vec![[0.0; 4]; truth.wanted.len()];
+        truth.channels = if aim == Aim::Depth { 1 } else { 4 };
+        truth.is_depth = aim == Aim::Depth;
+        let [a, b, c] = self.vertices.map(|point| At::from(vertex(point)));
+        let [columns, rows] = reach(window, self.vertices.iter().copied());
+        for (row, column) in rows.flat_map(|row| columns.clone().map(move |column| (row, column))) {
+            let p = centre(column, row);
+            // Barycentric weights, times twice the area; in perspective each is divided by w, here times the other two.
+            let mut weights = [cross(b, c, p), cross(c, a, p), cross(a, b, p)];
+            if aim == Aim::Perspective {
+                let [w0, w1, w2] = self.w.map(i128::from);
+                weights = [weights[0] * w1 * w2, weights[1] * w2 * w0, weights[2] * w0 * w1];
+            }
+            let sum: i128 = weights.iter().sum();
+            let value = |values: [i32; 3]| {
+                let weighted: i128 = weights.iter().zip(values).map(|(weight, value)| weight * i128::from(value)).sum();
+                if sum == 0 { 0.0 } else { quotient(weighted, sum) }
+            };
+            let at = (row * WIDTH + column) as usize;
+            truth.attributes[at] = if aim == Aim::Depth {
+                [value(self.depth.map(i32::from)), 0.0, 0.0, 0.0]
+            } else {
+                [0, 1, 2, 3].map(|channel| value(self.attributes.map(|attributes| attributes[channel])))
+            };
+        }
+        truth
+    }
+
+    fn outline(&self) -> Vec<Vec<(f64, f64)>> {
+        self.vertices.outline()
+    }
+}
+
+/// To some 50 bits behind the point.
+fn quotient(numerator: i128, denominator: i128) -> f64 {
+    let whole = numerator.div_euclid(denominator);
+    let rest = numerator.rem_euclid(denominator);
+    whole as f64 + rest as f64 / denominator as f64
 }

@@ -14,6 +14,8 @@ pub(crate) struct Truth {
     pub(crate) attributes: Vec<[f64; 4]>,
     /// How many attributes count.
     pub(crate) channels: usize,
+    /// Whether the one attribute is the depth.
+    pub(crate) is_depth: bool,
 }
 
 /// What the rule makes of a pixel.
@@ -29,7 +31,7 @@ impl Truth {
     /// Nothing is wanted yet.
     pub(crate) fn new() -> Self {
         let pixels = (WIDTH * HEIGHT) as usize;
-        Self { wanted: vec![Wanted::default(); pixels], coverage: vec![], attributes: vec![], channels: 0 }
+        Self { wanted: vec![Wanted::default(); pixels], coverage: vec![], attributes: vec![], channels: 0, is_depth: false }
     }
 
     /// How many pixels the oracle's picture has.
@@ -72,18 +74,28 @@ pub(crate) fn verdict(picture: &Picture, truth: &Truth, at: usize) -> Verdict {
     }
 }
 
-/// How far a pixel's coverage (in 255ths) or its worst attribute is off; nothing where neither counts.
+/// How far a pixel's coverage (in 255ths) or its worst attribute is off, beyond what rounding it once takes; nothing where
+/// neither counts.
 pub(crate) fn levels_off(picture: &Picture, truth: &Truth, at: usize) -> f64 {
     if let Some(coverage) = truth.coverage.get(at) {
         let drawn = if picture.count[at] == 0 { 0.0 } else { f64::from(picture.coverage[at]) };
-        return (drawn - 255.0 * coverage).abs();
+        return beyond_rounding(drawn - 255.0 * coverage);
     }
     let Some(attributes) = truth.attributes.get(at) else { return 0.0 };
     if picture.count[at] == 0 || truth.wanted[at].count == 0 {
         return 0.0;
     }
-    let off = |channel: usize| (f64::from(picture.attributes[at][channel]) - attributes[channel]).abs();
+    let off = |channel: usize| {
+        let drawn = if truth.is_depth { f64::from(picture.depth[at]) } else { f64::from(picture.attributes[at][channel]) };
+        beyond_rounding(drawn - attributes[channel])
+    };
     (0..truth.channels).map(off).fold(0.0, f64::max)
+}
+
+fn beyond_rounding(off: f64) -> f64 {
+    let beyond = off.abs() - 0.5;
+    // The oracle's values are quotients in `f64`.
+    if beyond < 1e-6 { 0.0 } else { beyond }
 }
 
 /// How a method's pictures differ from the oracle's, added up over shapes.
