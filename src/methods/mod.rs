@@ -4,6 +4,7 @@ pub mod antialias;
 pub mod attribute;
 pub mod circle;
 pub mod line;
+pub mod number;
 pub mod points;
 pub mod polygon;
 pub mod triangle;
