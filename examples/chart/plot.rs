@@ -170,7 +170,7 @@ impl Plot {
     fn draw_curves(&self, canvas: &Canvas<'_>, marks: &[Mark]) -> Drawn {
         for curve in curves(marks) {
             let path: Vec<(i32, i32)> = curve.iter().map(|&index| self.at[index]).collect();
-            canvas.draw(&PathElement::new(path, self.colours[curve[0]].mix(0.7).stroke_width(1)))?;
+            canvas.draw(&PathElement::new(path, self.colours[curve[0]].mix(0.4).stroke_width(2)))?;
         }
         Ok(())
     }
@@ -179,7 +179,7 @@ impl Plot {
         let front = pareto_front(marks);
         let mut labels = Labels::new((LEFT + 2, TOP - 4), (WIDTH - 4, self.band.0 - 2));
         for &(x, y) in &self.at {
-            labels.occupy((x, y), RADIUS + 1);
+            labels.occupy((x, y), RADIUS + 2);
         }
         for index in (0..marks.len()).filter(|&index| marks[index].error > 0.0) {
             let width = text_width(&label(&marks[index]));
@@ -189,8 +189,9 @@ impl Plot {
             let (colour, (x, y)) = (self.colours[index], self.at[index]);
             let name = label(mark);
             if mark.error == 0.0 {
-                let fits = x + RADIUS + 6 + text_width(&name) < WIDTH - 4;
-                let (at, side) = if fits { (x + RADIUS + 6, HPos::Left) } else { (x - RADIUS - 6, HPos::Right) };
+                let gap = RADIUS + if mark.is_shipped { 10 } else { 6 };
+                let fits = x + gap + text_width(&name) < WIDTH - 4;
+                let (at, side) = if fits { (x + gap, HPos::Left) } else { (x - gap, HPos::Right) };
                 canvas.draw(&Text::new(name, (at, y), text(TEXT, colour, side)))?;
             }
             draw_mark(canvas, (x, y), colour, front.contains(&index), mark.is_shipped)?;

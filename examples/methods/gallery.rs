@@ -19,7 +19,7 @@ const ACROSS: usize = 7;
 const GAP: i32 = 16;
 const MARGIN: i32 = 16;
 const HEAD: i32 = 58;
-const TEXT_LINES: i32 = 4;
+const TEXT_LINES: i32 = 5;
 const LINE: i32 = 11;
 
 /// What one method makes of the scene.
@@ -94,7 +94,7 @@ pub(crate) fn draw(family: &str, panels: &[Drawn]) -> Canvas {
     let width = (2 * MARGIN + across * (panel_width + GAP) - GAP).max(560);
     let mut canvas = Canvas::new(width, HEAD + down * cell_height + 4, PAPER);
     canvas.text(family, MARGIN, 12, Size::Title, INK);
-    legend(&mut canvas);
+    legend(&mut canvas, panels.iter().any(|drawn| drawn.aim.is_of_levels()));
     for (place, drawn) in panels.iter().enumerate() {
         let (column, row) = ((place % ACROSS) as i32, (place / ACROSS) as i32);
         let (left, top) = (MARGIN + column * (panel_width + GAP), HEAD + row * cell_height);
@@ -102,7 +102,7 @@ pub(crate) fn draw(family: &str, panels: &[Drawn]) -> Canvas {
         let letters = (panel_width / Size::Small.advance()) as usize;
         let mut lines = wrap(drawn.method, letters, 2);
         lines.extend(wrap(drawn.option, letters, 2));
-        lines.truncate(TEXT_LINES as usize - 1);
+        lines.truncate(TEXT_LINES as usize - 2);
         let names = lines.len() as i32;
         let in_method = wrap(drawn.method, letters, 2).len() as i32;
         for (line, text) in (0..).zip(&lines) {
@@ -111,7 +111,9 @@ pub(crate) fn draw(family: &str, panels: &[Drawn]) -> Canvas {
         }
         let (verdict, is_right) = verdict(drawn);
         let colour = if is_right { PALE } else { EXTRA };
-        canvas.text(&verdict, left, top + panel_height + 4 + names * LINE, Size::Small, colour);
+        for (line, text) in (names..).zip(wrap(&verdict, letters, 2)) {
+            canvas.text(&text, left, top + panel_height + 4 + line * LINE, Size::Small, colour);
+        }
     }
     canvas
 }
@@ -132,7 +134,7 @@ fn verdict(drawn: &Drawn) -> (String, bool) {
     if parts.is_empty() { ("exact".into(), true) } else { (parts.join(", "), is_right) }
 }
 
-fn legend(canvas: &mut Canvas) {
+fn legend(canvas: &mut Canvas, of_levels: bool) {
     let mut left = MARGIN;
     for (colour, name) in
         [(RIGHT, "right"), (EXTRA, "extra"), (MISSING, "missing"), (DOUBLED, "twice"), (MOVED, "another tie rule")]
@@ -143,6 +145,11 @@ fn legend(canvas: &mut Canvas) {
         }
         canvas.text(name, left + 14, 33, Size::Small, PALE);
         left += 14 + name.len() as i32 * Size::Small.advance() + 18;
+    }
+    if of_levels {
+        canvas.rect(left, 34, 9, 9, RIGHT);
+        canvas.rect(left + 3, 37, 3, 3, EXTRA);
+        canvas.text("so far off", left + 14, 33, Size::Small, PALE);
     }
 }
 

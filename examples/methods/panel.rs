@@ -59,7 +59,9 @@ impl Panel {
             if verdict == Verdict::Empty {
                 continue;
             }
-            let colour = if !truth.attributes.is_empty() {
+            let colour = if truth.is_depth {
+                attribute_colour([i32::from(picture.depth[at] >> 8); 4], 1)
+            } else if !truth.attributes.is_empty() {
                 attribute_colour(picture.attributes[at], truth.channels)
             } else if truth.coverage.is_empty() {
                 RIGHT
@@ -117,9 +119,9 @@ fn draw_cell(canvas: &mut Canvas, cell: &Cell, left: i32, top: i32, size: i32) {
         Verdict::Moved => canvas.rect(left, top, size, size, MOVED),
         Verdict::Right | Verdict::Empty => {
             canvas.rect(left, top, size, size, cell.colour);
-            // A dot, the larger the farther it is off; nothing where it is rounded once.
-            if cell.levels_off > 1.0 {
-                let dot = (2 + (cell.levels_off / 8.0) as i32).min(size - 2);
+            // A dot, the larger the farther it is off: 1 px for one level, one more whenever that doubles twice.
+            if cell.levels_off >= 1.0 {
+                let dot = (1 + cell.levels_off.log2() as i32 / 2).min(size - 2);
                 let inset = (size - dot) / 2;
                 canvas.rect(left + inset, top + inset, dot, dot, EXTRA);
             }

@@ -41,10 +41,10 @@ pub(crate) fn triangle(scene: &str, index: usize) -> [Point; 3] {
 }
 
 /// What varies across a triangle: attributes at each vertex, w in 1/65536, depth.
-pub type Varying = ([[i32; 4]; 3], [i32; 3], [u16; 3]);
+pub(crate) type Varying = ([[i32; 4]; 3], [i32; 3], [u16; 3]);
 
 /// Colours, a perspective of up to 1 : 8, and depths, for the triangle of a scene.
-pub fn varying(scene: &str, index: usize) -> Varying {
+pub(crate) fn varying(scene: &str, index: usize) -> Varying {
     let mut random = seeded(0xC010, scene, index);
     let attributes = core::array::from_fn(|_| core::array::from_fn(|_| random.below(256)));
     let w = core::array::from_fn(|_| 65536 + random.below(7 * 65536));
@@ -53,13 +53,13 @@ pub fn varying(scene: &str, index: usize) -> Varying {
 }
 
 /// The scenes of meshes, and how many of each.
-pub const MESHES: [(&str, usize); 4] = [("fan", 6), ("mesh", 4), ("mesh on pixels", 4), ("slivers", 6)];
+pub(crate) const MESHES: [(&str, usize); 4] = [("fan", 6), ("mesh", 4), ("mesh on pixels", 4), ("slivers", 6)];
 
 /// The triangles of a mesh.
-pub const MESH_TRIANGLES: usize = 32;
+pub(crate) const MESH_TRIANGLES: usize = 32;
 
 /// Triangles that share edges: around a vertex, or two for each square of a bent grid, or a band of slivers.
-pub fn mesh(scene: &str, index: usize) -> [[Point; 3]; MESH_TRIANGLES] {
+pub(crate) fn mesh(scene: &str, index: usize) -> [[Point; 3]; MESH_TRIANGLES] {
     let mut random = seeded(0x3E54, scene, index);
     let middle = [(60 + random.below(200)) * ONE, (60 + random.below(120)) * ONE];
     if scene == "fan" {
