@@ -22,7 +22,7 @@ mod timing;
 #[allow(unreachable_pub, reason = "it is a library in itself")]
 mod variants;
 
-use std::{collections::BTreeMap, error::Error, fs, path::PathBuf};
+use std::{collections::BTreeMap, error::Error, fs, path::PathBuf, time::Instant};
 
 use clap::{Parser, ValueEnum};
 use csv_files::{ERRORS, TIMES, error_row, table};
@@ -102,8 +102,12 @@ fn errors(suites: &[Suite], progress: &ProgressBar) -> Result<String, Box<dyn Er
         for entry in &suite.entries {
             for (scene, (name, shapes)) in suite.scenes.iter().enumerate() {
                 progress.set_message(format!("{}, {}: {name}", suite.family, entry.label()));
+                let started = Instant::now();
                 rows.push(error_row(entry, name, *shapes, &suite.tally(entry, scene, *shapes, &mut picture)));
                 progress.inc(1);
+                if started.elapsed().as_secs() > 1 {
+                    progress.suspend(|| eprintln!("{}: {name} took {:.1?}", entry.label(), started.elapsed()));
+                }
             }
         }
     }

@@ -21,13 +21,17 @@ pub(crate) fn charts(family: &str, suites: &[Suite], folder: &Path) -> Result<Ve
     let times = by_key(read(&folder.join(format!("{}-times.csv", slug(family))), &TIMES)?, 0);
     let counts = folder.join(CORTEX_M4_FILE);
     let counts = if counts.exists() { read(&counts, &CORTEX_M4)? } else { Vec::new() };
-    let mut aims: Vec<Aim> = suites.iter().flat_map(|suite| &suite.entries).map(|entry| entry.aim).collect();
-    aims.sort_unstable();
-    aims.dedup();
+    let mut kinds: Vec<(&str, Aim)> =
+        suites.iter().flat_map(|suite| suite.entries.iter().map(|entry| (suite.part, entry.aim))).collect();
+    kinds.sort_unstable();
+    kinds.dedup();
     let mut charts = Vec::new();
-    for aim in &aims {
-        let suffix = if aims.len() > 1 { format!("-{}", aim.name()) } else { String::new() };
-        let title = if aims.len() > 1 { format!("{family}, {}", aim.name()) } else { family.into() };
+    for (part, aim) in &kinds {
+        let name = if part.is_empty() { aim.name() } else { part };
+        let suffix = if kinds.len() > 1 { format!("-{name}") } else { String::new() };
+        let title = if kinds.len() > 1 { format!("{family}, {name}") } else { family.into() };
+        let suites: Vec<&Suite> = suites.iter().filter(|suite| suite.part == *part).collect();
+        let suites = &suites[..];
         let nanoseconds = |entry: &Entry, scene: &str| number(&times, entry, scene, TIMES.len() - 1);
         let marks = marks(suites, *aim, &errors, &nanoseconds);
         if marks.is_empty() {
@@ -77,8 +81,8 @@ pub(crate) fn charts(family: &str, suites: &[Suite], folder: &Path) -> Result<Ve
 const SHAPES: usize = 5;
 
 /// The pixels of a scene's first shapes by the oracle.
-fn first_pixels(suites: &[Suite], entry: &Entry, scene: &str, shapes: usize) -> f64 {
-    let has = |suite: &&Suite| suite.entries.iter().any(|other| std::ptr::eq(other, entry));
+fn first_pixels(suites: &[&Suite], entry: &Entry, scene: &str, shapes: usize) -> f64 {
+    let has = |suite: &&&Suite| suite.entries.iter().any(|other| std::ptr::eq(other, entry));
     let Some(suite) = suites.iter().find(has) else { return f64::NAN };
     let Some(scene) = suite.scenes.iter().position(|(name, _)| *name == scene) else { return f64::NAN };
     let pixels: u64 = (0..shapes.min(suite.scenes[scene].1)).map(|shape| suite.truth(scene, shape, entry.aim).pixels()).sum();
@@ -114,7 +118,7 @@ fn column(name: &str) -> usize {
 
 /// A mark for every method and option with this aim of which both numbers are known.
 fn marks(
-    suites: &[Suite],
+    suites: &[&Suite],
     aim: Aim,
     errors: &BTreeMap<Key, Vec<String>>,
     cost: &dyn Fn(&Entry, &str) -> Option<f64>,
@@ -126,6 +130,9 @@ fn marks(
             for (scene, _) in suite.scenes.iter().filter(|(name, _)| *name != GALLERY) {
                 let Some(cost) = cost(entry, scene).filter(|cost| *cost > 0.0) else { continue };
                 let of = |name: &str| number(errors, entry, scene, column(name)).unwrap_or(0.0);
+                if of("refused") == of("shapes") {
+                    continue;
+                }
                 logarithms += cost.ln();
                 scenes += 1.0;
                 pixels += of("pixels");
@@ -151,7 +158,7 @@ fn marks(
 
 /// Pixels looked at for each pixel covered, against time.
 fn visits(
-    suites: &[Suite],
+    suites: &[&Suite],
     errors: &BTreeMap<Key, Vec<String>>,
     cost: &dyn Fn(&Entry, &str) -> Option<f64>,
 ) -> Vec<Mark> {

@@ -121,6 +121,7 @@ pub(crate) fn draw(family: &str, panels: &[Drawn]) -> Canvas {
 /// What is wrong, in a few words.
 fn verdict(drawn: &Drawn) -> (String, bool) {
     let Tally { missing, extra, doubled, moved, worst, refused, .. } = drawn.tally;
+    let (missing, extra, moved) = if drawn.aim == Aim::Coverage { (0, 0, 0) } else { (missing, extra, moved) };
     let mut parts = Vec::new();
     let counts = [(missing, "missing"), (extra, "extra"), (doubled, "twice"), (refused, "refused")];
     parts.extend(counts.iter().filter(|(count, _)| *count > 0).map(|(count, name)| format!("{count} {name}")));

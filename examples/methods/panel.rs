@@ -55,9 +55,13 @@ impl Panel {
         let places = self.rows.clone().flat_map(|row| self.columns.clone().map(move |column| row * WIDTH + column));
         for (cell, at) in self.cells.iter_mut().zip(places) {
             let at = at as usize;
-            let verdict = verdict(picture, truth, at);
+            let mut verdict = verdict(picture, truth, at);
             if verdict == Verdict::Empty {
                 continue;
+            }
+            if !truth.coverage.is_empty() && verdict != Verdict::Doubled {
+                // What counts is how far it is off.
+                verdict = Verdict::Right;
             }
             let colour = if truth.is_depth {
                 attribute_colour([i32::from(picture.depth[at] >> 8); 4], 1)
@@ -66,7 +70,7 @@ impl Panel {
             } else if truth.coverage.is_empty() {
                 RIGHT
             } else {
-                shade(picture.coverage[at])
+                shade(if picture.count[at] == 0 { 0 } else { picture.coverage[at] })
             };
             *cell = Cell { verdict, colour, levels_off: levels_off(picture, truth, at) };
         }

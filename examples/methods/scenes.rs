@@ -99,7 +99,7 @@ pub(crate) fn mesh(scene: &str, index: usize) -> [[Point; 3]; MESH_TRIANGLES] {
 pub(crate) const LINES: [(&str, usize); 5] =
     [("typical", 40), ("short", 120), ("long", 24), ("nearly level", 40), ("off-screen", 24)];
 
-/// A line of a scene, between the centres of pixels.
+/// A line of a scene, between whole pixels.
 pub(crate) fn line(scene: &str, index: usize) -> [Point; 2] {
     let mut random = seeded(0x0011, scene, index);
     let box_px = match scene {
@@ -107,7 +107,7 @@ pub(crate) fn line(scene: &str, index: usize) -> [Point; 2] {
         "long" => HEIGHT,
         "off-screen" => {
             let [a, b, _] = around_screen(&mut random);
-            return [a, b].map(centre);
+            return [a, b].map(|end| end.map(|at| at >> 8));
         }
         _ => 80,
     };
@@ -117,13 +117,13 @@ pub(crate) fn line(scene: &str, index: usize) -> [Point; 2] {
         let [dx, dy] = [b[0] - a[0], (b[1] - a[1]) / 20];
         b = if index % 2 == 0 { [a[0] + dx, a[1] + dy] } else { [a[0] + dy, a[1] + dx] };
     }
-    [a, b].map(centre)
+    [a, b].map(|end| end.map(|at| at >> 8))
 }
 
 /// The scenes of circles.
 pub(crate) const CIRCLES: [(&str, usize); 4] = [("typical", 24), ("small", 60), ("large", 8), ("off-screen", 16)];
 
-/// A circle of a scene: the centre of a pixel, and a radius of whole pixels; x, y, radius.
+/// A circle of a scene, around a whole pixel, with a radius of whole pixels: x, y, radius.
 pub(crate) fn circle(scene: &str, index: usize) -> [i32; 3] {
     let mut random = seeded(0xC12C, scene, index);
     let [x, y] = [random.below(WIDTH), random.below(HEIGHT)];
@@ -143,8 +143,25 @@ pub(crate) fn circle(scene: &str, index: usize) -> [i32; 3] {
             (inside(x, radius, WIDTH), inside(y, radius, HEIGHT), radius)
         }
     };
-    let [x, y] = centre([x * ONE, y * ONE]);
-    [x, y, radius * ONE]
+    [x, y, radius]
+}
+
+/// The scenes of meshes that become small: two triangles for each square of so many 1/256 px.
+pub(crate) const SPECKS: [(&str, i32); 5] =
+    [("squares of 16 px", 4096), ("squares of 4 px", 1024), ("squares of 2 px", 512), ("squares of 1 px", 256), ("squares of 1/2 px", 128)];
+
+/// How many squares a mesh of specks has in each direction.
+pub(crate) const SPECKS_ACROSS: usize = 12;
+
+/// A triangle of a mesh of specks: corners are moved by up to a quarter of a square.
+pub(crate) fn speck(square: i32, index: usize) -> [Point; 3] {
+    let corner = |row: usize, column: usize| {
+        let mut random = Random::new((square as u64) << 32 | (row * 64 + column) as u64);
+        [column, row].map(|at| 10 * ONE + at as i32 * square + random.below(square / 2) - square / 4)
+    };
+    let (row, column) = (index / 2 / SPECKS_ACROSS, index / 2 % SPECKS_ACROSS);
+    let [a, b] = [corner(row, column), corner(row + 1, column + 1)];
+    if index % 2 == 0 { [a, b, corner(row, column + 1)] } else { [a, b, corner(row + 1, column)] }
 }
 
 /// The scenes of polygons that are made here; real drawings come on top.

@@ -86,6 +86,8 @@ const AIMS: usize = 6;
 /// A family's methods and scenes.
 pub(crate) struct Suite {
     pub(crate) family: &'static str,
+    /// What tells it from others of its family; mostly nothing.
+    pub(crate) part: &'static str,
     pub(crate) entries: Vec<Entry>,
     pub(crate) scenes: Vec<(&'static str, usize)>,
     truths: Truths,
@@ -129,6 +131,7 @@ impl Suite {
         let screen = [SCREEN.columns, SCREEN.rows];
         Self {
             family,
+            part: "",
             entries,
             scenes: names,
             truths,

@@ -2,8 +2,15 @@
 
 #![allow(dead_code, reason = "each program that takes this file in uses the part it needs")]
 
+mod attributes;
+mod circles;
+mod coverage;
+mod lines;
 mod numbers;
+mod polygons;
 mod report;
+mod shared;
+mod suspicions;
 mod triangles;
 
 pub(crate) use report::Report;
@@ -12,7 +19,17 @@ pub(crate) use report::Report;
 pub(crate) fn report(mut progress: impl FnMut(&str)) -> Report {
     let mut report = Report::default();
     report.text.push_str(HEAD);
-    let parts: [(&str, fn(&mut Report)); 2] = [("triangles", triangles::report), ("numbers", numbers::report)];
+    let parts: [(&str, fn(&mut Report)); 9] = [
+        ("triangles", triangles::report),
+        ("shared edges", shared::report),
+        ("attributes", attributes::report),
+        ("lines", lines::report),
+        ("circles", circles::report),
+        ("polygons", polygons::report),
+        ("anti-aliasing", coverage::report),
+        ("numbers", numbers::report),
+        ("suspicions", suspicions::report),
+    ];
     for (name, part) in parts {
         progress(name);
         part(&mut report);

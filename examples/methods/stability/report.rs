@@ -198,3 +198,41 @@ impl Report {
         }
     }
 }
+
+/// The scenes named by powers of two.
+pub(crate) const POWERS: [&str; 24] = [
+    "0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11", "12", "13", "14", "15", "16", "17", "18", "19", "20", "21", "22",
+    "23",
+];
+
+impl Report {
+    /// The power of two at which each method first fails, of the suites' scenes that are named by powers.
+    pub(crate) fn powers(&mut self, suites: &[Suite]) {
+        let mut picture = new_picture();
+        let mut rows = Vec::new();
+        for suite in suites {
+            for entry in suite.entries.iter().filter(|entry| !entry.aim.is_of_levels()) {
+                let (power, tally) = first_failure(suite, entry, &mut picture);
+                let named = power.map_or_else(|| "-".into(), |k| k.to_string());
+                let wrong = if power.is_some() { summary(&tally, false) } else { String::new() };
+                let order = (!entry.is_shipped(), power.unwrap_or(usize::MAX));
+                rows.push((order, vec![entry.label(), named, wrong]));
+            }
+        }
+        rows.sort_by(|(a, a_row), (b, b_row)| a.cmp(b).then_with(|| a_row.cmp(b_row)));
+        let rows: Vec<Vec<String>> = rows.into_iter().map(|(_, row)| row).collect();
+        self.table(&["method", "fails at k =", "what then"], &rows);
+    }
+}
+
+/// The first power at which anything is wrong, and what.
+pub(crate) fn first_failure(suite: &Suite, entry: &Entry, picture: &mut Picture) -> (Option<usize>, Tally) {
+    for (k, name) in POWERS.iter().enumerate() {
+        let Some(scene) = suite.scenes.iter().position(|(other, _)| other == name) else { continue };
+        let tally = suite.tally(entry, scene, usize::MAX, picture);
+        if tally.wrong() + tally.refused > 0 {
+            return (Some(k), tally);
+        }
+    }
+    (None, Tally::default())
+}

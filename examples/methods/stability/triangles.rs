@@ -1,16 +1,16 @@
 //! Where triangles fail.
 
-use super::report::{Outcome, Report, outcomes};
+use super::report::{Outcome, POWERS, Report, outcomes};
 use crate::{
-    measure::{Aim, Entry, Scene, Suite, Tally, new_picture},
+    measure::{Aim, Scene, Suite, new_picture},
     random::Random,
-    variants,
+    variants::{self, Variant},
 };
 
 type Triangle = [[i32; 2]; 3];
 
 const ONE: i32 = 256;
-const FAMILIES: [&str; 2] = ["triangle: inside test", "triangle: traversal"];
+pub(crate) const FAMILIES: [&str; 2] = ["triangle: inside test", "triangle: traversal"];
 
 pub(crate) fn report(report: &mut Report) {
     let suites = FAMILIES.map(suite);
@@ -46,19 +46,20 @@ pub(crate) fn report(report: &mut Report) {
         "Vertices 2^k px away from the screen, edges across it: the first k at which some pixel of 24 triangles is wrong \
          (for k = 7, everything is near the screen; 22 is the end of the coordinates' range). `-`: never.",
     );
-    powers(report, &suites);
+    report.powers(&suites);
 }
 
-fn suite(family: &'static str) -> Suite {
+pub(crate) fn suite(family: &'static str) -> Suite {
     let mut scenes = vec![
         Scene { name: "slivers", shapes: (0..120).map(|index| crate::scenes::triangle("slivers", index)).collect() },
         Scene { name: "collinear", shapes: (0..120).map(collinear).collect() },
         Scene { name: "centres", shapes: (0..60).map(centres).collect() },
     ];
-    for (k, name) in (LEAST_POWER..).zip(POWERS) {
-        scenes.push(Scene { name, shapes: (0..24).map(|index| far(k, index)).collect() });
+    for k in LEAST_POWER..=MOST_POWER {
+        scenes.push(Scene { name: POWERS[k], shapes: (0..24).map(|index| far(k, index)).collect() });
     }
-    Suite::new(family, variants::triangle::TRIANGLES, scenes, |_, _| Aim::Fill)
+    scenes.push(Scene { name: "equal x", shapes: (0..200).map(equal_x).collect() });
+    Suite::new(family, list(family), scenes, |_, _| Aim::Fill)
 }
 
 /// A vertex next to the line between two others.
@@ -89,11 +90,22 @@ fn centres(index: u64) -> Triangle {
     }
 }
 
-const LEAST_POWER: u32 = 7;
-const POWERS: [&str; 16] = ["7", "8", "9", "10", "11", "12", "13", "14", "15", "16", "17", "18", "19", "20", "21", "22"];
+pub(crate) fn list(family: &str) -> &'static [Variant<Triangle>] {
+    if family == FAMILIES[0] { variants::triangle::INSIDE } else { variants::triangle::TRAVERSAL }
+}
+
+/// No area: all vertices on an upright line, at heights that are no whole numbers.
+fn equal_x(index: u64) -> Triangle {
+    let mut random = Random::new(0xE9A1 + index);
+    let x = (20 + random.below(200)) * ONE + random.below(ONE);
+    [0, 1, 2].map(|_| [x, (10 + random.below(200)) * ONE + random.below(ONE)])
+}
+
+const LEAST_POWER: usize = 7;
+const MOST_POWER: usize = 22;
 
 /// One edge leads across the screen, from and to places 2^k px away; the third vertex is as far to a side.
-fn far(k: u32, index: u64) -> Triangle {
+fn far(k: usize, index: u64) -> Triangle {
     let mut random = Random::new(0xFA2 + index);
     let middle = [(20 + random.below(280)) * ONE + random.below(ONE), (20 + random.below(200)) * ONE + random.below(ONE)];
     let reach = 1_i64 << (k + 8);
@@ -118,7 +130,7 @@ fn orders(report: &mut Report, suites: &[Suite]) {
         let ordered: Vec<Triangle> =
             shapes.iter().flat_map(|shape| ORDERS.map(|order| order.map(|corner| shape[corner]))).collect();
         let scene = vec![Scene { name: "orders", shapes: ordered }];
-        let suite = Suite::new(suite.family, variants::triangle::TRIANGLES, scene, |_, _| Aim::Fill);
+        let suite = Suite::new(suite.family, list(suite.family), scene, |_, _| Aim::Fill);
         for entry in &suite.entries {
             let (mut differing, mut triangles) = (0, 0);
             for shape in 0..shapes.len() {
@@ -142,33 +154,4 @@ fn orders(report: &mut Report, suites: &[Suite]) {
     let rows: Vec<Vec<String>> = rows.into_iter().map(|(_, _, row)| row).collect();
     report.table(&["method", "triangles of 120 that differ", "pixels that differ"], &rows);
     report.say(&format!("The order makes no difference to {} others.", steady.len()));
-}
-
-/// The power of two at which each method fails.
-fn powers(report: &mut Report, suites: &[Suite]) {
-    let mut picture = new_picture();
-    let mut rows = Vec::new();
-    for suite in suites {
-        for entry in &suite.entries {
-            let (power, tally) = first_failure(suite, entry, &mut picture);
-            let named = power.map_or_else(|| "-".into(), |k| k.to_string());
-            let wrong = super::report::summary(&tally, false);
-            let order = (!entry.is_shipped(), power.unwrap_or(u32::MAX));
-            rows.push((order, vec![entry.label(), named, wrong]));
-        }
-    }
-    rows.sort_by(|(a, a_row), (b, b_row)| a.cmp(b).then_with(|| a_row.cmp(b_row)));
-    let rows: Vec<Vec<String>> = rows.into_iter().map(|(_, row)| row).collect();
-    report.table(&["method", "fails at 2^k px, k =", "then of its pixels"], &rows);
-}
-
-fn first_failure(suite: &Suite, entry: &Entry, picture: &mut crate::variants::Picture) -> (Option<u32>, Tally) {
-    for (k, name) in (LEAST_POWER..).zip(POWERS) {
-        let scene = suite.scenes.iter().position(|(other, _)| *other == name).expect("a scene of the suite");
-        let tally = suite.tally(entry, scene, usize::MAX, picture);
-        if tally.wrong() + tally.refused > 0 {
-            return (Some(k), tally);
-        }
-    }
-    (None, Tally::default())
 }
