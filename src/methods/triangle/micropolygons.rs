@@ -11,7 +11,10 @@
 //!    b---bc--c
 //! ```
 //!
-//! Cutting at the middles halves every edge, so the depth is `ceil(log2(longest / 128))`, 10 for a screen of 320 px.
+//! Cutting at the middles halves every edge, so the depth is `ceil(log2(longest / 128))`, 10 for a screen of 320 px, and
+//! there are `4^depth` micropolygons whatever the area: those of a sliver lie on top of each other. Of a triangle of
+//! 2^24 px, thousands of millions would meet the screen; so one longer than 2^13 px is refused.
+//!
 //! Middles that are rounded to 1/256 px move the pieces' edges; as `(a + b) >> 1` does not depend on the direction,
 //! neighbours move alike and no crack opens, but the outline is off by up to 1/256 px. Middles in coordinates with
 //! as many more bits as there are levels are exact.
@@ -20,10 +23,13 @@ use core::ops::Range;
 
 use crate::{Fragment, FragmentSink, PixelRect};
 
-use super::exact::PIXEL;
+use super::{Failure, exact::PIXEL};
 
 /// Half a pixel, in 1/256: Reyes' micropolygons are about that long.
 const LONGEST: i64 = 128;
+
+/// 2^13 px, in 1/256: what is longer is refused.
+const LIMIT: i64 = PIXEL << 13;
 
 /// What middles are rounded to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -48,20 +54,23 @@ type Piece = [[i64; 2]; 3];
 ///
 /// # Errors
 ///
-/// The sink's.
+/// The sink's; [`Failure::TooLong`], before anything is drawn.
 pub fn micropolygons<S: FragmentSink>(
     v: &[[i32; 2]; 3],
     middles: Middles,
     clip: &PixelRect,
     sink: &mut S,
-) -> Result<(), S::Error> {
+) -> Result<(), Failure<S::Error>> {
     let piece = v.map(|vertex| vertex.map(i64::from));
+    if longest(&piece) > LIMIT {
+        return Err(Failure::TooLong);
+    }
     let mut bits = 0;
-    // 26 at most, as edges are shorter than 2^33.
+    // 14 at most, so that all values fit.
     while middles == Middles::Exact && longest(&piece) > LONGEST << bits {
         bits += 1;
     }
-    split(piece.map(|vertex| vertex.map(|value| value << bits)), Frame { clip, bits }, sink)
+    Ok(split(piece.map(|vertex| vertex.map(|value| value << bits)), Frame { clip, bits }, sink)?)
 }
 
 #[inline(always)]
@@ -117,11 +126,11 @@ fn has_centre(piece: &Piece, x: i64, y: i64, bits: u32) -> bool {
     let [v0, v1, v2] = *piece;
     let value = |[x0, y0]: [i64; 2], [x1, y1]: [i64; 2]| {
         let (a, b) = (y0 - y1, x1 - x0);
-        let value = b.wrapping_mul(py - y0).wrapping_add(a.wrapping_mul(px - x0));
+        let value = b * (py - y0) + a * (px - x0);
         (value, a > 0 || a == 0 && b > 0)
     };
     let edges = [value(v0, v1), value(v1, v2), value(v2, v0)];
-    let area = edges.iter().fold(0_i64, |sum, (value, _)| sum.wrapping_add(*value));
+    let area = edges.iter().map(|(value, _)| value).sum::<i64>();
     area != 0
         && edges.iter().all(|(value, is_left_or_top)| match value.signum() * area.signum() {
             0 => *is_left_or_top == (area > 0),

@@ -38,6 +38,9 @@ pub enum Failure<E> {
         /// What was looked up: 6 where all coordinates are as good as equal.
         index: i32,
     },
+    /// Longer than a method can take that has work to do for its length squared; nothing was drawn. See
+    /// [`micropolygons`].
+    TooLong,
     /// The sink's.
     Sink(E),
 }
