@@ -12,6 +12,7 @@ pub(crate) mod area;
 pub(crate) mod coverage_grid;
 pub(crate) mod grid;
 pub(crate) mod random;
+pub(crate) mod ring;
 pub(crate) mod rule;
 
 pub(crate) use area::{Area, HasArea};

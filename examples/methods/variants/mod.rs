@@ -4,7 +4,12 @@
 //! Taken in by `#[path]`, hence `no_std` and without allocation: the firmware counts the same functions.
 
 #![allow(dead_code, reason = "each program that takes this file in uses the part it needs")]
-#![allow(missing_docs, missing_debug_implementations, unreachable_pub, reason = "public to the program that takes it in")]
+#![allow(
+    missing_docs,
+    missing_debug_implementations,
+    unreachable_pub,
+    reason = "public to the program that takes it in"
+)]
 
 pub mod antialias;
 pub mod attribute;

@@ -14,7 +14,7 @@
 use crate::{FragmentSink, PixelRect, methods::line::display::display_pixel};
 
 /// The largest radius that is walked from the top.
-pub const LONGEST_WALK: i32 = 1 << 20;
+pub const LONGEST_WALK: i32 = 1 << 16;
 
 /// What is drawn of a circle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

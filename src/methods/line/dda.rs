@@ -7,7 +7,8 @@
 //!
 //! Each addition rounds to 24 bits of `y`, so that what is lost in a step grows with `y` and adds up: where `y` is below
 //! 2^k, a step loses at most 2^(k-25), and n steps n times that. With 16 fraction bits it is the rounding of `m` that
-//! adds up, to n/2^17.
+//! adds up, to n/2^17. Lines are wrong from a length of some 2^11 and 2^10 pixels on (`tests/methods/line.txt`); where a
+//! line passes exactly between two pixels, from the start.
 
 use crate::{
     FragmentSink, PixelRect,

@@ -6,13 +6,14 @@
 //!    . . . . . #-#       if they are right
 //! ```
 //!
-//! What only looks wrong, and what is (`tests/methods_line.rs` counts each against the exact rule):
+//! What only looks wrong, and what is; `tests/methods/line.txt` has the counts, of 2000 lines in the first octant with
+//! 40,768 pixels and 2000 in any direction with 39,675:
 //!
 //! - **`d <= 0` in the code, `d < 0` in its derivation** (*Rasterization*, lecture notes): both are nearest pixels. They
-//!   differ where the line passes exactly between two, and nowhere else: in 6 of the 100 first lines of even length.
+//!   differ where the line passes exactly between two, and nowhere else: in 1,299 pixels.
 //! - **`xi < dx` loses a pixel**: the last one of every line.
-//! - **`floor` for nearest**: [`slope_intercept`] takes the row above wherever the line is past the middle of it, half of
-//!   all pixels of a line that is not horizontal or diagonal.
+//! - **`floor` for nearest**: [`slope_intercept`] takes the row above wherever the line is past the middle of it, in 16,691
+//!   pixels, which is 41 %.
 //! - **`DisplayPixel(x, y)` with a `float y`** converts by cutting off the fraction: the same as `floor`, but for rows
 //!   above the screen's top, where it draws one row lower: two rows of the line end up on row 0.
 //! - **`y += m`** drifts: see [`dda`].

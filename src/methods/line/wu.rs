@@ -12,7 +12,8 @@
 //! of `d` adds up to dx/2^17 of a pixel, and the last pixel is not quite the end.
 //!
 //! Intensities fall with the distance along y, not with that from the line: a diagonal is thinner by 29 % than a
-//! horizontal one, where exact areas of a line one pixel wide are not.
+//! horizontal one, where exact areas of a line one pixel wide are not. Between whole pixels, the first and the last pixel
+//! are whole, too, where a line that ends at their centres has half of them.
 
 use crate::{
     Fragment, FragmentSink, PixelRect,
