@@ -12,7 +12,8 @@
 //! ```
 
 use crate::{
-    Fragment, FragmentSink, PixelRect,
+    fragment::{Fragment, FragmentSink},
+    geometry::PixelRect,
     methods::{
         Method,
         polygon::{Contours, Plane},

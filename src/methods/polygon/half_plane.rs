@@ -1,6 +1,11 @@
 //! Triangles by half-planes, and what else cutting a polygon into triangles asks of its numbers.
 
-use crate::{Fragment, FragmentSink, PixelRect, Shape, Span, SpanSink, Triangle, Vertex};
+use crate::{
+    fragment::{Fragment, FragmentSink},
+    geometry::{PixelRect, Vertex},
+    shape::{Shape, Triangle},
+    span::{Span, SpanSink},
+};
 
 /// Numbers that polygons can be cut into triangles with.
 pub trait Plane: Copy + PartialEq {

@@ -1,7 +1,7 @@
 //! Ears cut off and filled.
 
 use super::rings::{Rings, Role};
-use crate::{FragmentSink, PixelRect, methods::polygon::Plane};
+use crate::{fragment::FragmentSink, geometry::PixelRect, methods::polygon::Plane};
 
 /// Cuts every piece into triangles.
 ///

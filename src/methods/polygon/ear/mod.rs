@@ -28,11 +28,13 @@ mod rings;
 pub use rings::Corner;
 
 use crate::{
-    FillRule, FragmentSink, PixelRect,
+    fragment::FragmentSink,
+    geometry::PixelRect,
     methods::{
         Method,
         polygon::{Contours, Failure, Plane},
     },
+    shape::FillRule,
 };
 use rings::Rings;
 

@@ -1,7 +1,7 @@
 //! Which ring lies in which, and what that makes of it.
 
 use super::rings::{Rings, Role};
-use crate::{FillRule, methods::polygon::Plane};
+use crate::{methods::polygon::Plane, shape::FillRule};
 
 /// Rings that go nowhere across each other lie within or beside each other: the winding number around a ring is the sum of
 /// the directions of those that it lies in.
@@ -18,46 +18,79 @@ pub(super) fn find_roles<T: Plane>(rings: &mut Rings<'_, T>, rule: FillRule) {
         FillRule::NonZero => winding != 0,
         FillRule::EvenOdd => winding & 1 != 0,
     };
-    let mut from = 0;
-    while let Some(ring) = rings.ring_from(from) {
-        from = ring + 1;
-        let own = direction(rings, ring);
-        let around: i32 = rings
-            .rings()
-            .filter(|other| *other != ring && lies_in(rings, ring, *other))
-            .map(|other| direction(rings, other))
-            .sum();
-        let (outside, inside) = (is_filled(around), is_filled(around + own));
-        let role = match (outside, inside) {
+    for_each_ring(rings, |rings, ring| {
+        let others = rings.rings().filter(|other| *other != ring && lies_in(rings, ring, *other));
+        let around: i32 = others.map(|other| direction(rings, other)).sum();
+        let role = match (is_filled(around), is_filled(around + direction(rings, ring))) {
             (false, true) => Role::Outline,
-            // The outline is looked for below, when all of them are known.
             (true, false) => Role::HoleIn(ring),
             _ => Role::Nothing,
         };
         rings.set_role(ring, role);
-    }
-    let mut from = 0;
-    while let Some(hole) = rings.ring_from(from) {
-        from = hole + 1;
+    });
+    for_each_ring(rings, |rings, ring| match (rings.role(ring), direction(rings, ring)) {
+        (Role::Nothing, _) => rings.remove(ring),
+        (Role::Outline, ..0) | (Role::HoleIn(_), 1..) => rings.reverse(ring),
+        _ => {}
+    });
+    part_where_rings_touch(rings);
+    rings.name_rings();
+    for_each_ring(rings, |rings, ring| {
+        let role = if direction(rings, ring) > 0 { Role::Outline } else { Role::HoleIn(ring) };
+        rings.set_role(ring, role);
+    });
+    for_each_ring(rings, |rings, hole| {
         if rings.role(hole) == Role::HoleIn(hole) {
-            let outlines =
-                rings.rings().filter(|ring| rings.role(*ring) == Role::Outline && lies_in(rings, hole, *ring));
-            let innermost = outlines.min_by(|a, b| area(rings, *a).abs().total_cmp(&area(rings, *b).abs()));
+            let is_around = |ring: &usize| rings.role(*ring) == Role::Outline && lies_in(rings, hole, *ring);
+            let by_area = |a: &usize, b: &usize| area(rings, *a).abs().total_cmp(&area(rings, *b).abs());
+            let innermost = rings.rings().filter(is_around).min_by(by_area);
             rings.set_role(hole, innermost.map_or(Role::Nothing, Role::HoleIn));
         }
-    }
+    });
+}
+
+fn for_each_ring<T: Plane>(rings: &mut Rings<'_, T>, mut work: impl FnMut(&mut Rings<'_, T>, usize)) {
     let mut from = 0;
     while let Some(ring) = rings.ring_from(from) {
         from = ring + 1;
-        let is_backwards = match rings.role(ring) {
-            Role::Outline => direction(rings, ring) < 0,
-            Role::HoleIn(_) => direction(rings, ring) > 0,
-            Role::Nothing => false,
-        };
-        if is_backwards {
-            rings.reverse(ring);
+        work(rings, ring);
+    }
+}
+
+/// Where two ways pass through one place, what is filled to the right of one must not hold the other: else they change partners.
+///
+/// ```text
+///      \ /            \ /       A hole (.) that touches the outline in a corner becomes a notch of it; one that touches
+///    ###x###   ->   ###x###     it twice parts the piece. Ears are cut off at corners as if nothing else were there.
+///    ##/.\##        ##/.\##
+/// ```
+fn part_where_rings_touch<T: Plane>(rings: &mut Rings<'_, T>) {
+    // Each change leaves more rings or fewer holes: there are not more changes in a row than corners.
+    for _ in 0..rings.len() {
+        let mut changed = false;
+        for first in 0..rings.len() {
+            for second in first + 1..rings.len() {
+                if rings.at(first) == rings.at(second)
+                    && rings.role(first) != Role::Nothing
+                    && rings.role(second) != Role::Nothing
+                    && holds_way(rings, first, second)
+                    && holds_way(rings, second, first)
+                {
+                    rings.change_partners(first, second);
+                    changed = true;
+                }
+            }
+        }
+        if !changed {
+            return;
         }
     }
+}
+
+/// Whether what is to the right of the way through one corner holds the way through another.
+fn holds_way<T: Plane>(rings: &Rings<'_, T>, corner: usize, other: usize) -> bool {
+    let ends = [rings.previous(other), rings.next(other)];
+    ends.into_iter().any(|end| rings.is_right_of(corner, rings.at(end)))
 }
 
 /// 1 for clockwise, -1 for counter-clockwise, 0 for a ring without area.

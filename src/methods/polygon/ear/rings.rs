@@ -10,7 +10,7 @@ pub struct Corner<T> {
     previous: usize,
     /// The first corner of its ring.
     ring: usize,
-    /// Of a ring's first corner.
+    /// What its ring is of the area: of a ring's first corner; of all of them where that is nothing.
     role: Role,
 }
 
@@ -62,7 +62,7 @@ impl<'s, T: Plane> Rings<'s, T> {
     /// A new corner, alone; none when the slots are used up.
     pub(super) fn add(&mut self, at: [T; 2]) -> Option<usize> {
         let corner = self.length;
-        *self.slots.get_mut(corner)? = Corner { at, next: corner, previous: corner, ring: corner, role: Role::Nothing };
+        *self.slots.get_mut(corner)? = Corner { at, next: corner, previous: corner, ring: corner, role: Role::Outline };
         self.length += 1;
         Some(corner)
     }
@@ -110,6 +110,18 @@ impl<'s, T: Plane> Rings<'s, T> {
         }
     }
 
+    /// Makes a ring nothing, which it stays when rings get new names.
+    pub(super) fn remove(&mut self, ring: usize) {
+        let mut corner = ring;
+        for _ in 0..self.length {
+            self.set_role(corner, Role::Nothing);
+            corner = self.next(corner);
+            if corner == ring {
+                return;
+            }
+        }
+    }
+
     pub(super) fn link(&mut self, corner: usize, next: usize) {
         if let Some(corner) = self.slots.get_mut(corner) {
             corner.next = next;
@@ -138,12 +150,13 @@ impl<'s, T: Plane> Rings<'s, T> {
         })
     }
 
-    /// Names every ring by its first corner.
+    /// Names every ring that is something by its first corner.
     pub(super) fn name_rings(&mut self) {
         self.slots.iter_mut().for_each(|corner| corner.ring = usize::MAX);
         for first in 0..self.length {
             let mut corner = first;
-            while let Some(slot) = self.slots.get_mut(corner).filter(|slot| slot.ring == usize::MAX) {
+            let is_new = |slot: &&mut Corner<T>| slot.ring == usize::MAX && slot.role != Role::Nothing;
+            while let Some(slot) = self.slots.get_mut(corner).filter(is_new) {
                 slot.ring = first;
                 corner = slot.next;
             }

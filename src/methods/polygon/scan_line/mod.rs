@@ -34,11 +34,13 @@ pub use fixed::Fixed;
 pub use float::{Closed, Float};
 
 use crate::{
-    FillRule, Fragment, FragmentSink, PixelRect,
+    fragment::{Fragment, FragmentSink},
+    geometry::PixelRect,
     methods::{
         Method,
         polygon::{Contours, Failure},
     },
+    shape::FillRule,
 };
 
 /// How the method is charted.

@@ -1,6 +1,10 @@
 //! Which pixels are closed, a bit each.
 
-use crate::{Fragment, FragmentSink, PixelRect, methods::polygon::Failure};
+use crate::{
+    fragment::{Fragment, FragmentSink},
+    geometry::PixelRect,
+    methods::polygon::Failure,
+};
 
 /// By what pixels are neighbours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use super::{Canvas, Touch};
-use crate::{FillRule, PixelRect, methods::polygon::Contours};
+use crate::{geometry::PixelRect, methods::polygon::Contours, shape::FillRule};
 
 /// Closes the pixels of the edges of contours in 1/256 pixel: lines from the pixel of one vertex to that of the next, as
 /// Bresenham's, with their steps taken by quotient and remainder.

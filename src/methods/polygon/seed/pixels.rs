@@ -1,7 +1,7 @@
 //! Pixel by pixel: the recursion, with its stack made explicit.
 
 use super::{Canvas, Touch};
-use crate::{FragmentSink, methods::polygon::Failure};
+use crate::{fragment::FragmentSink, methods::polygon::Failure};
 
 /// Right, down, left, up; then the corners.
 const NEIGHBOURS: [(i32, i32); 8] = [(1, 0), (0, 1), (-1, 0), (0, -1), (1, 1), (-1, 1), (-1, -1), (1, -1)];
@@ -46,15 +46,15 @@ pub fn by_pixels<S: FragmentSink>(
     loop {
         if let Some((dx, dy)) = neighbours.get(usize::from(called)) {
             let next = (x.wrapping_add(*dx), y.wrapping_add(*dy));
-            if canvas.look(next.0, next.1, sink) {
-                if let Some(entry) = stack.get_mut(depth) {
-                    *entry = Return(called);
-                    depth += 1;
-                    (x, y) = next;
-                    canvas.fill(x, y, sink).map_err(Failure::Sink)?;
-                    called = 0;
-                    continue;
-                }
+            if canvas.look(next.0, next.1, sink)
+                && let Some(entry) = stack.get_mut(depth)
+            {
+                *entry = Return(called);
+                depth += 1;
+                (x, y) = next;
+                canvas.fill(x, y, sink).map_err(Failure::Sink)?;
+                called = 0;
+                continue;
             }
             called += 1;
         } else {

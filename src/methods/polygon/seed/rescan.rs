@@ -4,7 +4,10 @@ use super::{
     Canvas, Entry, Touch,
     spans::{Stack, cast, start},
 };
-use crate::{FragmentSink, PixelRect};
+use crate::{
+    fragment::{Fragment, FragmentSink},
+    geometry::PixelRect,
+};
 
 /// What filled pixels are told apart from the boundary by.
 #[derive(Debug)]
@@ -35,7 +38,7 @@ pub fn by_spans_with_rescan<S: FragmentSink>(
     canvas.send(sink)?;
     let mut stack = Stack::new(stack);
     let mut from = Some(seed).filter(|[x, y]| canvas.look(*x, *y, sink));
-    let mut filled = PixelRect { rows: i32::MAX..i32::MIN, columns: i32::MAX..i32::MIN };
+    let mut filled = PixelRect { rows: 0..0, columns: 0..0 };
     while let Some(seed) = from {
         let mut marking = Marking { marker: &mut marker, filled: &mut filled, sink: &mut *sink };
         let mut all = start(canvas, seed, &mut stack, &mut marking)?;
@@ -81,10 +84,13 @@ struct Marking<'m, 'c, 'w, S> {
 impl<S: FragmentSink> FragmentSink for Marking<'_, '_, '_, S> {
     type Error = S::Error;
 
-    fn fragment(&mut self, fragment: crate::Fragment) -> Result<(), S::Error> {
+    fn fragment(&mut self, fragment: Fragment) -> Result<(), S::Error> {
         let (x, y) = (fragment.x, fragment.y);
         if let Marker::Colour(marked) = self.marker {
             marked.close(x, y);
+        }
+        if self.filled.rows.is_empty() {
+            *self.filled = PixelRect { rows: y..y, columns: x..x };
         }
         let (rows, columns) = (&mut self.filled.rows, &mut self.filled.columns);
         *rows = rows.start.min(y)..rows.end.max(y.saturating_add(1));

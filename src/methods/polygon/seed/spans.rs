@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use super::{Canvas, Touch};
-use crate::{FragmentSink, methods::polygon::Failure};
+use crate::{fragment::FragmentSink, methods::polygon::Failure};
 
 /// A row to look at, next to a span that is filled. A seed is one of one pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -5,7 +5,11 @@ use core::{cell::Cell, ops::Range};
 use embedded_graphics_core::geometry::Point;
 
 use super::{Canvas, Touch};
-use crate::{Connectivity, FillRegion, FillSegment, FragmentSink, PixelRect, SeedFill, SeedFillError};
+use crate::{
+    fragment::FragmentSink,
+    geometry::PixelRect,
+    seed_fill::{Connectivity, FillRegion, FillSegment, SeedFill, SeedFillError},
+};
 
 /// The crate's seed fill on a canvas.
 ///
