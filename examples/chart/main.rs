@@ -22,7 +22,14 @@ mod timing;
 #[allow(unreachable_pub, reason = "it is a library in itself")]
 mod variants;
 
-use std::{collections::BTreeMap, error::Error, fs, path::PathBuf, time::Instant};
+use std::{
+    collections::BTreeMap,
+    error::Error,
+    fs,
+    path::PathBuf,
+    sync::atomic::{AtomicUsize, Ordering::Relaxed},
+    thread,
+};
 
 use clap::{Parser, ValueEnum};
 use csv_files::{ERRORS, TIMES, error_row, table};
@@ -75,6 +82,10 @@ fn main() -> Done {
     let progress = ProgressBar::new((measurements * steps) as u64);
     progress.set_style(ProgressStyle::with_template("{bar:40} {pos}/{len} {elapsed} {msg}")?);
     for (family, suites) in &families {
+        if progress.is_hidden() {
+            // No terminal: a line for each family.
+            eprintln!("{family}");
+        }
         let file = |kind: &str| cli.out.join(format!("{}-{kind}", families::slug(family)));
         if does(Step::Errors) {
             fs::write(file("errors.csv"), errors(suites, &progress)?)?;
@@ -95,23 +106,30 @@ fn main() -> Done {
     Ok(())
 }
 
+/// Entries on all cores; rows in their order.
 fn errors(suites: &[Suite], progress: &ProgressBar) -> Result<String, Box<dyn Error>> {
-    let mut picture = new_picture();
-    let mut rows = Vec::new();
-    for suite in suites {
-        for entry in &suite.entries {
+    let entries: Vec<_> = suites.iter().flat_map(|suite| suite.entries.iter().map(move |entry| (suite, entry))).collect();
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let mut picture = new_picture();
+        let mut rows = Vec::new();
+        while let Some((at, (suite, entry))) = Some(next.fetch_add(1, Relaxed)).and_then(|at| Some((at, entries.get(at)?))) {
             for (scene, (name, shapes)) in suite.scenes.iter().enumerate() {
                 progress.set_message(format!("{}, {}: {name}", suite.family, entry.label()));
-                let started = Instant::now();
-                rows.push(error_row(entry, name, *shapes, &suite.tally(entry, scene, *shapes, &mut picture)));
+                let tally = suite.tally(entry, scene, *shapes, &mut picture);
+                rows.push(((at, scene), error_row(entry, name, *shapes, &tally)));
                 progress.inc(1);
-                if started.elapsed().as_secs() > 1 {
-                    progress.suspend(|| eprintln!("{}: {name} took {:.1?}", entry.label(), started.elapsed()));
-                }
             }
         }
-    }
-    table(&ERRORS, &rows)
+        rows
+    };
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    let mut rows: Vec<_> = thread::scope(|scope| {
+        let workers: Vec<_> = (0..cores).map(|_| scope.spawn(work)).collect();
+        workers.into_iter().flat_map(|worker| worker.join().expect("no worker panics")).collect()
+    });
+    rows.sort_unstable();
+    table(&ERRORS, &rows.into_iter().map(|(_, row)| row).collect::<Vec<_>>())
 }
 
 fn times(suites: &[Suite], progress: &ProgressBar) -> Result<String, Box<dyn Error>> {

@@ -152,6 +152,7 @@ impl Suite {
     /// Draws a shape on an empty picture. What a panic said comes as an error: no method may.
     pub(crate) fn draw(&self, entry: &Entry, scene: usize, shape: usize, picture: &mut Picture) -> Result<(), String> {
         clear(picture);
+        // No method may panic; were one to, it is a refusal that says so.
         match catch_unwind(AssertUnwindSafe(|| (entry.check)(scene, shape, picture))) {
             Ok(outcome) => outcome.map_err(Into::into),
             Err(_) => Err("panicked".into()),
