@@ -187,11 +187,9 @@ pub(crate) fn new_picture() -> Box<Picture> {
     made.expect("a thread can be had").join().expect("it does nothing that fails")
 }
 
+/// Where a pixel did not come, nothing else is looked at.
 fn clear(picture: &mut Picture) {
     picture.count.fill(0);
-    picture.coverage.fill(0);
-    picture.depth.fill(0);
-    picture.attributes.fill([0; 4]);
     picture.visited = 0;
     picture.outside = 0;
 }

@@ -121,9 +121,12 @@ pub(crate) struct Tally {
 
 impl Tally {
     pub(crate) fn of(picture: &Picture, truth: &Truth) -> Self {
-        let mut tally =
-            Self { pixels: truth.pixels(), visited: picture.visited, outside: picture.outside, ..Self::default() };
-        for at in 0..truth.wanted.len() {
+        let mut tally = Self { visited: picture.visited, outside: picture.outside, ..Self::default() };
+        for (at, (count, wanted)) in picture.count.iter().zip(&truth.wanted).enumerate() {
+            if *count == 0 && wanted.count == 0 && truth.coverage.is_empty() {
+                continue;
+            }
+            tally.pixels += u64::from(wanted.count > 0);
             match verdict(picture, truth, at) {
                 Verdict::Empty | Verdict::Right => {}
                 Verdict::Missing => tally.missing += 1,
