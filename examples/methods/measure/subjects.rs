@@ -114,6 +114,12 @@ impl Subject for Mesh {
             // Not a tie: between triangles that share an edge somebody has to draw the pixel, and only one.
             fill(&mut truth, &Triangle::from_vertices(triangle.map(vertex)), &window, |_, _| false);
         }
+        // But at the rim of the mesh.
+        let edges = || self.0.iter().flat_map(|[a, b, c]| [[*a, *b], [*b, *c], [*c, *a]]);
+        let is_same = |[a, b]: [[i32; 2]; 2], other: [[i32; 2]; 2]| other == [a, b] || other == [b, a];
+        for edge in edges().filter(|edge| edges().filter(|other| is_same(*edge, *other)).count() == 1) {
+            mark_ties(&mut truth, &[&edge], &reach(window, edge.into_iter()));
+        }
         truth
     }
 

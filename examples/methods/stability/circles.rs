@@ -27,8 +27,8 @@ pub(crate) fn report(report: &mut Report) {
     report.pixels("discs", "discs, by the methods that are worst", of_aim("radii", "filled"));
     report.heading("Circles: radii that grow");
     report.say(
-        "Radius 2^k px, the circle's lowest or rightmost point on the screen: the first k at which a pixel is wrong (not \
-         counting those that were wrong at k = 4 already, which is most that is cut off).",
+        "Radius 2^k px, the circle's lowest or rightmost point on the screen: the first k at which a pixel is missing \
+         or extra. What fails at k = 4 is wrong at every size.",
     );
     report.powers(std::slice::from_ref(&suite));
 }

@@ -27,10 +27,10 @@ fn constants(report: &mut Report) {
     report.heading("Loss of precision: C, by all formulas");
     report.say(
         "Edges of some 10 px, 2^k px from the origin, all in `f32`: how far the worst of 200 edges is moved at the middle of \
-         itself, in pixels, by `C = x0 y1 - x1 y0`, by one vertex, by the average of both, and by differences without C. All \
-         three formulas for C lose the same digits: A x and C are as large as the distance from the origin, and the value is \
-         their difference. Averaging gains a bit or two; only differences lose nothing, as long as the coordinates themselves \
-         are exact.",
+         itself, in pixels, by `C = x0 y1 - x1 y0`, by one vertex, by the average of both, and by differences without C. The \
+         notes are right about the first: its products are as large as the square of the distance, and so is what they lose. \
+         The others lose as much as A x has digits too many: a thousandth of that. The average is no better than one \
+         vertex. Only differences lose nothing, as long as the coordinates themselves are exact.",
     );
     let rows: Vec<Vec<String>> = (6..=14).map(|k| {
         let worst = constants_at(k);

@@ -157,6 +157,8 @@ impl Report {
             let key = |outcome: &Outcome| (outcome.is_shipped, outcome.tally.wrong() + outcome.tally.refused);
             key(b).cmp(&key(a)).then_with(|| a.label.cmp(&b.label))
         });
+        // What is shipped is in more than one family.
+        outcomes.dedup_by(|a, b| a.is_shipped && a.label == b.label);
         let (exact, wrong): (Vec<_>, Vec<_>) = outcomes
             .into_iter()
             .partition(|outcome| !outcome.is_shipped && outcome.tally.wrong() + outcome.tally.refused == 0);
@@ -220,6 +222,7 @@ impl Report {
             }
         }
         rows.sort_by(|(a, a_row), (b, b_row)| a.cmp(b).then_with(|| a_row.cmp(b_row)));
+        rows.dedup();
         let rows: Vec<Vec<String>> = rows.into_iter().map(|(_, row)| row).collect();
         self.table(&["method", "fails at k =", "what then"], &rows);
     }
@@ -230,7 +233,8 @@ pub(crate) fn first_failure(suite: &Suite, entry: &Entry, picture: &mut Picture)
     for (k, name) in POWERS.iter().enumerate() {
         let Some(scene) = suite.scenes.iter().position(|(other, _)| other == name) else { continue };
         let tally = suite.tally(entry, scene, usize::MAX, picture);
-        if tally.wrong() + tally.refused > 0 {
+        // What comes twice is no matter of size.
+        if tally.missing + tally.extra + tally.refused > 0 {
             return (Some(k), tally);
         }
     }

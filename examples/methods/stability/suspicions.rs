@@ -58,19 +58,19 @@ fn of_lines() -> Vec<Suspicion> {
     let lines = suite.scenes.iter().find(|(name, _)| *name == "first octant").map_or(0, |(_, lines)| *lines);
     vec![
         Suspicion {
-            what: "*Rasterization*: `d <= 0` in the code of Bresenham's line, `d < 0` in its derivation",
+            what: "Rasterization: `d <= 0` in the code of Bresenham's line, `d < 0` in its derivation",
             run: format!("both on {lines} lines of the first octant"),
             found: format!("`d <= 0`: {}; `d < 0`: {}", wrong(&printed), wrong(&derived)),
             is_wrong: printed.wrong() + derived.wrong() > 0,
         },
         Suspicion {
-            what: "*Rasterization*: `xi < dx` in the loop of y = mx + b",
+            what: "Rasterization: `xi < dx` in the loop of y = mx + b",
             run: format!("rounded to the nearest, on the same {lines} lines"),
             found: format!("`xi < dx`: {}; `xi <= dx`: {}", wrong(&dropped), wrong(&kept)),
             is_wrong: dropped.wrong() > 0,
         },
         Suspicion {
-            what: "*Rasterization*: `floor(yt)` where the nearest row is meant",
+            what: "Rasterization: `floor(yt)` where the nearest row is meant",
             run: "`xi <= dx`, on the same lines".into(),
             found: wrong(&floor),
             is_wrong: floor.wrong() > 0,
@@ -87,25 +87,25 @@ fn of_circles() -> Vec<Suspicion> {
     let apart = |tally: &Tally| tally.missing + tally.extra;
     vec![
         Suspicion {
-            what: "*Rasterization*: `d = 5 / 4 - r`, which is 1 - r in integers",
+            what: "Rasterization: `d = 5 / 4 - r`, which is 1 - r in integers",
             run: "the midpoint circle with both, radii 1 to 100".into(),
             found: format!("in integers: {}; with the quarter: {}", wrong(&cut), wrong(&derived)),
             is_wrong: apart(&cut) > 0,
         },
         Suspicion {
-            what: "*Rasterization*: the listing of the midpoint circle ends `d + 2*(x - y) +`, without the 5",
+            what: "Rasterization: the listing of the midpoint circle ends `d + 2*(x - y) +`, without the 5",
             run: "without it, radii 1 to 100".into(),
             found: wrong(&without),
             is_wrong: apart(&without) > 0,
         },
         Suspicion {
-            what: "*Rasterization*: gaps in outlines by 4-way symmetry",
+            what: "Rasterization: gaps in outlines by 4-way symmetry",
             run: "with rounded roots, radii 1 to 100".into(),
             found: wrong(&four),
             is_wrong: four.missing > 0,
         },
         Suspicion {
-            what: "*Rasterization*: `(int) sqrt(..)` for the nearest pixel",
+            what: "Rasterization: `(int) sqrt(..)` for the nearest pixel",
             run: "8-way symmetry, radii 1 to 100".into(),
             found: wrong(&truncated),
             is_wrong: apart(&truncated) > 0,
@@ -127,7 +127,7 @@ fn of_triangles() -> Vec<Suspicion> {
     let named = |power: Option<usize>| power.map_or_else(|| "never".into(), |k| format!("2^{k} px away"));
     vec![
         Suspicion {
-            what: "*6.837*: the six-entry table is read with index 6 or -1 where all x are equal and the truncated area is not zero",
+            what: "6.837: the six-entry table is read with index 6 or -1 where all x are equal and the truncated area is not zero",
             run: "200 triangles with equal x".into(),
             found: format!(
                 "in f64: {} refused, {}; with 12 fraction bits, as printed: {} refused (an exception in Java), {}",
@@ -139,25 +139,25 @@ fn of_triangles() -> Vec<Suspicion> {
             is_wrong: table.refused + fixed.refused + table.wrong() + fixed.wrong() > 0,
         },
         Suspicion {
-            what: "*6.837*: boxes from `(int) min` to `(int) (max + 1)` are a pixel too large",
+            what: "6.837: boxes from `(int) min` to `(int) (max + 1)` are a pixel too large",
             run: "the slivers".into(),
             found: format!("{} pixels looked at in place of {}; {}", wide.visited, centres.visited, wrong(&wide)),
             is_wrong: wide.wrong() > centres.wrong(),
         },
         Suspicion {
-            what: "*guidelines*: boxes from `(int) (min + .5)` to `(int) (max - .5)` lose pixels",
+            what: "guidelines: boxes from `(int) (min + .5)` to `(int) (max - .5)` lose pixels",
             run: "the slivers".into(),
             found: format!("{} pixels looked at in place of {}; {}", narrow.visited, centres.visited, wrong(&narrow)),
             is_wrong: narrow.wrong() > centres.wrong(),
         },
         Suspicion {
-            what: "*6.837*: samples lie at integer coordinates, not at the pixels' centres",
+            what: "6.837: samples lie at integer coordinates, not at the pixels' centres",
             run: "FlatTri as printed on the slivers, held against centres".into(),
             found: format!("{}; the same equations at centres: {}", wrong(&java), wrong(&centred)),
             is_wrong: java.wrong() > centred.wrong(),
         },
         Suspicion {
-            what: "*6.837*: edge equations with 12 fraction bits leave 32 bits",
+            what: "6.837: edge equations with 12 fraction bits leave 32 bits",
             run: "vertices 2^k px away, by words of 32 and 64 bits".into(),
             found: format!("32 bits: wrong from {}; 64 bits: {}", named(power), named(power_64)),
             is_wrong: power.is_some_and(|k| power_64.is_none_or(|other| k < other)),

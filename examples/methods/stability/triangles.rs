@@ -151,6 +151,7 @@ fn orders(report: &mut Report, suites: &[Suite]) {
         }
     }
     rows.sort_by(|a, b| (b.0, b.1).cmp(&(a.0, a.1)).then_with(|| a.2.cmp(&b.2)));
+    rows.dedup();
     let rows: Vec<Vec<String>> = rows.into_iter().map(|(_, _, row)| row).collect();
     report.table(&["method", "triangles of 60 that differ", "pixels that differ"], &rows);
     report.say(&format!("The order makes no difference to {} others.", steady.len()));
