@@ -53,7 +53,8 @@ fn docs(name: &str) -> PathBuf {
 /// Every method with every option, by family, and what the crate ships.
 fn listed() -> BTreeMap<&'static str, BTreeSet<(String, String)>> {
     let of_family = |family: &'static spanfill::methods::Family| {
-        let pairs = family.methods.iter().flat_map(|method| method.options.iter().map(move |option| (method.name, *option)));
+        let pairs =
+            family.methods.iter().flat_map(|method| method.options.iter().map(move |option| (method.name, *option)));
         (family.name, pairs.map(|(method, option)| (method.to_owned(), option.to_owned())).collect())
     };
     FAMILIES.iter().map(of_family).collect()
@@ -118,7 +119,10 @@ fn every_method_and_option_is_in_the_tables() {
             let name = format!("charts/{}-{kind}.csv", slug(family));
             let rows = read(&docs(&name), columns).unwrap();
             assert_same(&name, &wanted, &pairs(&rows, 0));
-            let scenes = suites.iter().filter(|suite| suite.family == family).map(|suite| suite.entries.len() * suite.scenes.len());
+            let scenes = suites
+                .iter()
+                .filter(|suite| suite.family == family)
+                .map(|suite| suite.entries.len() * suite.scenes.len());
             assert_eq!(rows.len(), scenes.sum::<usize>(), "{name} has not a row for each method on each scene");
         }
         let rows = read(&docs("charts/cortex-m4.csv"), &CORTEX_M4).unwrap();
@@ -135,7 +139,9 @@ fn every_method_and_option_has_its_mark() {
         .expect("the charts")
         .map(|file| file.expect("an entry").path())
         .filter(|path| path.extension().is_some_and(|extension| extension == "svg"))
-        .map(|path| (path.file_name().unwrap().to_str().unwrap().to_owned(), text_of(&fs::read_to_string(&path).unwrap())))
+        .map(|path| {
+            (path.file_name().unwrap().to_str().unwrap().to_owned(), text_of(&fs::read_to_string(&path).unwrap()))
+        })
         .collect();
     let suites = suites();
     for (family, _) in listed() {
@@ -173,7 +179,9 @@ fn errors_are_those_of_the_tables() {
         .collect();
     let tables: BTreeMap<&str, Vec<Vec<String>>> = suites
         .iter()
-        .map(|suite| (suite.family, read(&docs(&format!("charts/{}-errors.csv", slug(suite.family))), &ERRORS).unwrap()))
+        .map(|suite| {
+            (suite.family, read(&docs(&format!("charts/{}-errors.csv", slug(suite.family))), &ERRORS).unwrap())
+        })
         .collect();
     let check = |work: &[(&Suite, usize, usize)]| -> Vec<String> {
         let mut picture = new_picture();

@@ -68,7 +68,10 @@ fn candidates((x, y): (i32, i32), width: i32) -> Vec<(Place, i32)> {
                 let is_far = step.abs() > 1 || shift > 0;
                 let top = y + dy - HEIGHT / 2;
                 let place = Place { left, top, right: left + width, bottom: top + HEIGHT, is_far };
-                places.push((place, dy.abs() * 2 + (gap - 9) * 2 + if is_left { 7 } else { 0 } + if is_far { 12 } else { 0 }));
+                places.push((
+                    place,
+                    dy.abs() * 2 + (gap - 9) * 2 + if is_left { 7 } else { 0 } + if is_far { 12 } else { 0 },
+                ));
             }
         }
         // Above and below, in the middle.

@@ -108,12 +108,15 @@ fn main() -> Done {
 
 /// Entries on all cores; rows in their order.
 fn errors(suites: &[Suite], progress: &ProgressBar) -> Result<String, Box<dyn Error>> {
-    let entries: Vec<_> = suites.iter().flat_map(|suite| suite.entries.iter().map(move |entry| (suite, entry))).collect();
+    let entries: Vec<_> =
+        suites.iter().flat_map(|suite| suite.entries.iter().map(move |entry| (suite, entry))).collect();
     let next = AtomicUsize::new(0);
     let work = || {
         let mut picture = new_picture();
         let mut rows = Vec::new();
-        while let Some((at, (suite, entry))) = Some(next.fetch_add(1, Relaxed)).and_then(|at| Some((at, entries.get(at)?))) {
+        while let Some((at, (suite, entry))) =
+            Some(next.fetch_add(1, Relaxed)).and_then(|at| Some((at, entries.get(at)?)))
+        {
             for (scene, (name, shapes)) in suite.scenes.iter().enumerate() {
                 progress.set_message(format!("{}, {}: {name}", suite.family, entry.label()));
                 let tally = suite.tally(entry, scene, *shapes, &mut picture);

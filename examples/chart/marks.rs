@@ -85,13 +85,16 @@ fn first_pixels(suites: &[&Suite], entry: &Entry, scene: &str, shapes: usize) ->
     let has = |suite: &&&Suite| suite.entries.iter().any(|other| std::ptr::eq(other, entry));
     let Some(suite) = suites.iter().find(has) else { return f64::NAN };
     let Some(scene) = suite.scenes.iter().position(|(name, _)| *name == scene) else { return f64::NAN };
-    let pixels: u64 = (0..shapes.min(suite.scenes[scene].1)).map(|shape| suite.truth(scene, shape, entry.aim).pixels()).sum();
+    let pixels: u64 =
+        (0..shapes.min(suite.scenes[scene].1)).map(|shape| suite.truth(scene, shape, entry.aim).pixels()).sum();
     pixels.max(1) as f64
 }
 
 fn error_name(aim: Aim) -> &'static str {
     match aim {
-        Aim::Fill => "wrong pixels (missing, extra, twice), share of the oracle's; ties that another rule moves are not counted",
+        Aim::Fill => {
+            "wrong pixels (missing, extra, twice), share of the oracle's; ties that another rule moves are not counted"
+        }
         Aim::Outline => "wrong pixels (missing, extra, twice), share of the oracle's outline; ties are not counted",
         Aim::Coverage => "coverage: how far a pixel is off in the mean, in 255ths",
         Aim::Attributes | Aim::Perspective => "attribute: how far a pixel is off in the mean, in its own unit",
@@ -171,5 +174,8 @@ fn visits(
     };
     let entries = suites.iter().flat_map(|suite| suite.entries.iter().map(|entry| visited(entry, &suite.scenes)));
     let marks = time.into_iter().zip(entries);
-    marks.filter(|(_, visited)| *visited > 0.0).map(|(mark, visited)| Mark { error: mark.cost, cost: visited, ..mark }).collect()
+    marks
+        .filter(|(_, visited)| *visited > 0.0)
+        .map(|(mark, visited)| Mark { error: mark.cost, cost: visited, ..mark })
+        .collect()
 }

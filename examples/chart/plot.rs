@@ -202,7 +202,11 @@ impl Plot {
                 let end = place.nearest_to((x, y));
                 canvas.draw(&PathElement::new([(x, y), end], colour.mix(0.55).stroke_width(1)))?;
             }
-            canvas.draw(&Text::new(label(&marks[index]), (place.left, place.middle()), text(TEXT, colour, HPos::Left)))?;
+            canvas.draw(&Text::new(
+                label(&marks[index]),
+                (place.left, place.middle()),
+                text(TEXT, colour, HPos::Left),
+            ))?;
         }
         Ok(())
     }
@@ -313,5 +317,9 @@ impl Axis {
 }
 
 fn tick_name(value: f64, power: i32, step: f64) -> String {
-    if (-3..6).contains(&power) { format!("{value:.*}", power.min(0).unsigned_abs() as usize) } else { format!("{step}e{power}") }
+    if (-3..6).contains(&power) {
+        format!("{value:.*}", power.min(0).unsigned_abs() as usize)
+    } else {
+        format!("{step}e{power}")
+    }
 }

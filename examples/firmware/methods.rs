@@ -97,7 +97,9 @@ impl Bench {
             };
             self.scene(variants::points::POINTS, scene, 1, mesh)?;
         }
-        for (name, scene, shapes) in [("triangles", "typical", 2), ("small triangles", "small", 4), ("slivers", "slivers", 2)] {
+        for (name, scene, shapes) in
+            [("triangles", "typical", 2), ("small triangles", "small", 4), ("slivers", "slivers", 2)]
+        {
             let shape = |index| antialias::Scene::Triangle(scenes::triangle(scene, index).map(vertex));
             self.scene(antialias::ANTIALIAS, name, shapes, shape)?;
         }
@@ -122,7 +124,8 @@ impl Bench {
         let contours = cortex_m::singleton!(: [Contour; 6 * MOST] = [[[0; 2]; MOST_VERTICES]; 6 * MOST]);
         let slices = cortex_m::singleton!(: [&'static [Point]; 6 * MOST] = [NONE; 6 * MOST]);
         let (Some(contours), Some(slices)) = (contours, slices) else { return Err(fmt::Error) };
-        let counts = [("typical", 2), ("on pixels", 2), ("small", MOST), ("slivers", 2), ("large", 1), ("self-intersecting", 2)];
+        let counts =
+            [("typical", 2), ("on pixels", 2), ("small", MOST), ("slivers", 2), ("large", 1), ("self-intersecting", 2)];
         let shapes = || counts.iter().flat_map(|&(scene, shapes)| (0..shapes).map(move |index| (scene, index)));
         for ((contour, slice), (scene, index)) in contours.into_iter().zip(slices.iter_mut()).zip(shapes()) {
             let vertices = scenes::polygon(scene, index, contour);

@@ -5,11 +5,11 @@
 use std::{collections::HashMap, convert::Infallible, fs, io, path::Path};
 
 use embedded_graphics::{
-    mono_font::{MonoFont, MonoTextStyle, ascii::FONT_5X8, ascii::FONT_6X10, ascii::FONT_6X13_BOLD},
     geometry::{OriginDimensions, Size as PixelSize},
     image::GetPixel,
+    mono_font::{MonoFont, MonoTextStyle, ascii::FONT_5X8, ascii::FONT_6X10, ascii::FONT_6X13_BOLD},
     pixelcolor::Rgb888,
-    prelude::{DrawTarget, Drawable, Pixel, Point, Dimensions, RgbColor},
+    prelude::{Dimensions, DrawTarget, Drawable, Pixel, Point, RgbColor},
     primitives::Rectangle,
     text::{Baseline, Text},
 };

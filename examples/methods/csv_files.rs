@@ -8,8 +8,21 @@ use crate::measure::{Entry, Tally};
 
 /// The columns of a table of errors.
 pub(crate) const ERRORS: [&str; 15] = [
-    "method", "option", "scene", "of", "shapes", "pixels", "missing", "extra", "doubled", "moved", "visited", "outside", "refused",
-    "levels_mean", "levels_worst",
+    "method",
+    "option",
+    "scene",
+    "of",
+    "shapes",
+    "pixels",
+    "missing",
+    "extra",
+    "doubled",
+    "moved",
+    "visited",
+    "outside",
+    "refused",
+    "levels_mean",
+    "levels_worst",
 ];
 
 /// The columns of a table of times.

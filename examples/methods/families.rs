@@ -50,10 +50,9 @@ pub(crate) fn slug(family: &str) -> String {
 }
 
 fn triangles() -> Vec<Scene<[[i32; 2]; 3]>> {
-    let made = scenes::TRIANGLES.iter().map(|&(name, count)| Scene {
-        name,
-        shapes: (0..count).map(|index| scenes::triangle(name, index)).collect(),
-    });
+    let made = scenes::TRIANGLES
+        .iter()
+        .map(|&(name, count)| Scene { name, shapes: (0..count).map(|index| scenes::triangle(name, index)).collect() });
     let gallery = Scene {
         name: GALLERY,
         shapes: vec![
@@ -70,9 +69,9 @@ fn meshes() -> Vec<Scene<Mesh>> {
         name,
         shapes: (0..count).map(|index| Mesh(scenes::mesh(name, index).to_vec())).collect(),
     });
-    let [a, b, c, d, e, f] =
-        [[384, 384], [2688, 384], [4992, 640], [1408, 2432], [384, 3968], [4736, 3712]];
-    let gallery = Scene { name: GALLERY, shapes: vec![Mesh(vec![[a, b, d], [b, c, d], [c, f, d], [a, d, e], [d, f, e]])] };
+    let [a, b, c, d, e, f] = [[384, 384], [2688, 384], [4992, 640], [1408, 2432], [384, 3968], [4736, 3712]];
+    let gallery =
+        Scene { name: GALLERY, shapes: vec![Mesh(vec![[a, b, d], [b, c, d], [c, f, d], [a, d, e], [d, f, e]])] };
     made.chain([gallery]).collect()
 }
 
@@ -96,11 +95,13 @@ pub(crate) fn shade(vertices: [[i32; 2]; 3], (attributes, w, depth): scenes::Var
 }
 
 fn lines() -> Vec<Scene<[[i32; 2]; 2]>> {
-    let made = scenes::LINES.iter().map(|&(name, count)| Scene {
-        name,
-        shapes: (0..count).map(|index| scenes::line(name, index)).collect(),
-    });
-    let gallery = Scene { name: GALLERY, shapes: vec![[[1, 1], [18, 4]], [[2, 7], [4, 14]], [[7, 13], [17, 7]], [[18, 9], [9, 15]]] };
+    let made = scenes::LINES
+        .iter()
+        .map(|&(name, count)| Scene { name, shapes: (0..count).map(|index| scenes::line(name, index)).collect() });
+    let gallery = Scene {
+        name: GALLERY,
+        shapes: vec![[[1, 1], [18, 4]], [[2, 7], [4, 14]], [[7, 13], [17, 7]], [[18, 9], [9, 15]]],
+    };
     made.chain([gallery]).collect()
 }
 
@@ -110,10 +111,9 @@ fn aim_of_lines(method: &str, option: &str) -> Aim {
 }
 
 fn circles() -> Vec<Scene<[i32; 3]>> {
-    let made = scenes::CIRCLES.iter().map(|&(name, count)| Scene {
-        name,
-        shapes: (0..count).map(|index| scenes::circle(name, index)).collect(),
-    });
+    let made = scenes::CIRCLES
+        .iter()
+        .map(|&(name, count)| Scene { name, shapes: (0..count).map(|index| scenes::circle(name, index)).collect() });
     let gallery = Scene { name: GALLERY, shapes: vec![[6, 7, 6], [15, 4, 3], [16, 12, 2], [11, 14, 1]] };
     made.chain([gallery]).collect()
 }
@@ -124,7 +124,8 @@ fn vertex([x, y]: [i32; 2]) -> Vertex {
 
 /// An outline that lasts, with vertices for the methods of anti-aliasing.
 fn smooth_outline(contours: &[&[[i32; 2]]], even_odd: bool) -> antialias::Scene {
-    let lasting = |contour: &&[[i32; 2]]| -> &'static [Vertex] { Vec::leak(contour.iter().copied().map(vertex).collect()) };
+    let lasting =
+        |contour: &&[[i32; 2]]| -> &'static [Vertex] { Vec::leak(contour.iter().copied().map(vertex).collect()) };
     let contours: Vec<&'static [Vertex]> = contours.iter().map(lasting).collect();
     antialias::Scene::Polygon(Vec::leak(contours), if even_odd { FillRule::EvenOdd } else { FillRule::NonZero })
 }
@@ -182,7 +183,8 @@ fn smooth_lines() -> Vec<Scene<antialias::Scene>> {
             .collect(),
     });
     let line = |from: [i32; 2], to: [i32; 2]| antialias::Scene::Line([vertex(from), vertex(to)]);
-    let shapes = vec![line([384, 384], [4700, 1200]), line([600, 1600], [1100, 3700]), line([2000, 3600], [4600, 1900])];
+    let shapes =
+        vec![line([384, 384], [4700, 1200]), line([600, 1600], [1100, 3700]), line([2000, 3600], [4600, 1900])];
     made.into_iter().chain([Scene { name: GALLERY, shapes }]).collect()
 }
 
@@ -205,7 +207,9 @@ fn textures() -> Vec<Scene<antialias::Scene>> {
         .into_iter()
         .map(|(name, pattern)| Scene {
             name,
-            shapes: [(64, 20), (96, 13), (50, 31)].map(|(size, pixels)| texture(size, [40, 40], pixels, pattern)).to_vec(),
+            shapes: [(64, 20), (96, 13), (50, 31)]
+                .map(|(size, pixels)| texture(size, [40, 40], pixels, pattern))
+                .to_vec(),
         })
         .collect();
     scenes.push(Scene { name: GALLERY, shapes: vec![texture(60, [2, 1], 14, rings)] });
@@ -237,20 +241,32 @@ fn aim_of_attributes(method: &str, _: &str) -> Aim {
 
 /// Made ones, and two drawings of thousands of vertices.
 fn polygons() -> Vec<Scene<Outline>> {
-    let made = scenes::POLYGONS.iter().map(|&(name, count)| Scene {
-        name,
-        shapes: (0..count).map(|index| polygon(name, index)).collect(),
-    });
+    let made = scenes::POLYGONS
+        .iter()
+        .map(|&(name, count)| Scene { name, shapes: (0..count).map(|index| polygon(name, index)).collect() });
     let drawn = [("countries", drawings::COUNTRIES), ("peeps", drawings::PEEPS)].map(|(name, drawing)| Scene {
         name,
-        shapes: drawings::load(drawing).shapes.into_iter().map(|shape| outline(shape.contours, shape.even_odd)).collect(),
+        shapes: drawings::load(drawing)
+            .shapes
+            .into_iter()
+            .map(|shape| outline(shape.contours, shape.even_odd))
+            .collect(),
     });
     let gallery = Scene {
         name: GALLERY,
         shapes: vec![
-            outline(vec![vec![[384, 384], [2176, 384], [2176, 1664], [1408, 1664], [1280, 896], [900, 2100], [384, 1900]]], false),
+            outline(
+                vec![vec![[384, 384], [2176, 384], [2176, 1664], [1408, 1664], [1280, 896], [900, 2100], [384, 1900]]],
+                false,
+            ),
             outline(vec![vec![[3400, 300], [4700, 2700], [2400, 1000], [4900, 1100], [2500, 2500]]], false),
-            outline(vec![vec![[300, 2900], [4800, 3000], [4700, 3900], [400, 3150]], vec![[3300, 3200], [4300, 3250], [4200, 3600]]], true),
+            outline(
+                vec![
+                    vec![[300, 2900], [4800, 3000], [4700, 3900], [400, 3150]],
+                    vec![[3300, 3200], [4300, 3250], [4200, 3600]],
+                ],
+                true,
+            ),
         ],
     };
     made.chain(drawn).chain([gallery]).collect()

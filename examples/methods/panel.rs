@@ -147,19 +147,10 @@ fn attribute_colour(attributes: [i32; 4], channels: usize) -> Rgb888 {
 }
 
 /// The part of a line within a rectangle (Liang and Barsky, 1984).
-fn within(
-    [least, most]: [(f64, f64); 2],
-    from: (f64, f64),
-    to: (f64, f64),
-) -> Option<((f64, f64), (f64, f64))> {
+fn within([least, most]: [(f64, f64); 2], from: (f64, f64), to: (f64, f64)) -> Option<((f64, f64), (f64, f64))> {
     let (dx, dy) = (to.0 - from.0, to.1 - from.1);
     let (mut start, mut end) = (0.0_f64, 1.0_f64);
-    let sides = [
-        (-dx, from.0 - least.0),
-        (dx, most.0 - from.0),
-        (-dy, from.1 - least.1),
-        (dy, most.1 - from.1),
-    ];
+    let sides = [(-dx, from.0 - least.0), (dx, most.0 - from.0), (-dy, from.1 - least.1), (dy, most.1 - from.1)];
     for (step, room) in sides {
         if step == 0.0 {
             if room < 0.0 {

@@ -83,7 +83,8 @@ pub(crate) fn mesh(scene: &str, index: usize) -> [[Point; 3]; MESH_TRIANGLES] {
     // Squares of 12 px, corners moved by up to 4.
     let vertices: [[Point; 5]; 5] = core::array::from_fn(|row| {
         core::array::from_fn(|column| {
-            let place = |from: i32, at: usize, random: &mut Random| from + (at as i32 * 12 - 24) * ONE + random.below(8 * ONE);
+            let place =
+                |from: i32, at: usize, random: &mut Random| from + (at as i32 * 12 - 24) * ONE + random.below(8 * ONE);
             let vertex = [place(middle[0], column, &mut random), place(middle[1], row, &mut random)];
             if scene == "mesh on pixels" { centre(vertex) } else { vertex }
         })
@@ -147,8 +148,13 @@ pub(crate) fn circle(scene: &str, index: usize) -> [i32; 3] {
 }
 
 /// The scenes of meshes that become small: two triangles for each square of so many 1/256 px.
-pub(crate) const SPECKS: [(&str, i32); 5] =
-    [("squares of 16 px", 4096), ("squares of 4 px", 1024), ("squares of 2 px", 512), ("squares of 1 px", 256), ("squares of 1/2 px", 128)];
+pub(crate) const SPECKS: [(&str, i32); 5] = [
+    ("squares of 16 px", 4096),
+    ("squares of 4 px", 1024),
+    ("squares of 2 px", 512),
+    ("squares of 1 px", 256),
+    ("squares of 1/2 px", 128),
+];
 
 /// How many squares a mesh of specks has in each direction.
 pub(crate) const SPECKS_ACROSS: usize = 12;
@@ -195,7 +201,10 @@ pub(crate) fn polygon(scene: &str, index: usize, vertices: &mut [Point; MOST_VER
             let least = if at % 2 == 0 { 70 } else { 30 };
             let radius = box_px * ONE / 2 * (least + random.below(30)) / 100;
             let [cos, sin] = direction(at * 64 / count);
-            [corner[0] * ONE + box_px * ONE / 2 + radius * cos / 64, corner[1] * ONE + box_px * ONE / 2 + radius * sin / 64]
+            [
+                corner[0] * ONE + box_px * ONE / 2 + radius * cos / 64,
+                corner[1] * ONE + box_px * ONE / 2 + radius * sin / 64,
+            ]
         };
         if scene == "on pixels" {
             *vertex = centre(*vertex);

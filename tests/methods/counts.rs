@@ -43,7 +43,9 @@ fn count(variants: &[Variant<Corners>], text: &mut String) {
         let triangles = triangles(scene, TRIANGLES);
         let truths: Vec<Vec<Truth>> = triangles
             .iter()
-            .map(|v| SCREEN.rows.flat_map(|y| SCREEN.columns.map(move |x| (x, y))).map(|(x, y)| truth(v, x, y)).collect())
+            .map(|v| {
+                SCREEN.rows.flat_map(|y| SCREEN.columns.map(move |x| (x, y))).map(|(x, y)| truth(v, x, y)).collect()
+            })
             .collect();
         let covered: usize = truths
             .iter()
@@ -100,8 +102,12 @@ fn limits(variants: &[Variant<Corners>], text: &mut String) {
             (0..40).map(triangle).collect()
         })
         .collect();
-    writeln!(text, "\n{}: triangles of 2^4 to 2^22 px, the first power at which one of 40 is wrong", variants[0].family)
-        .unwrap();
+    writeln!(
+        text,
+        "\n{}: triangles of 2^4 to 2^22 px, the first power at which one of 40 is wrong",
+        variants[0].family
+    )
+    .unwrap();
     for variant in variants {
         let is_wrong = |(v, truths): &(Corners, Vec<Truth>)| {
             let mut picture = picture();

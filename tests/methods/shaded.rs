@@ -102,7 +102,10 @@ fn the_notes_example_of_perspective() {
         w: [1, 3, 1].map(|w| w << 16),
         depth: [0; 3],
     };
-    assert_eq!(exact(&shape, [4, 6, 4], shape.w, 20, 10), (9 * exact(&shape, [1; 3], shape.w, 20, 10).1 / 2, exact(&shape, [1; 3], shape.w, 20, 10).1));
+    assert_eq!(
+        exact(&shape, [4, 6, 4], shape.w, 20, 10),
+        (9 * exact(&shape, [1; 3], shape.w, 20, 10).1 / 2, exact(&shape, [1; 3], shape.w, 20, 10).1)
+    );
     let mut seen = 0;
     for variant in ATTRIBUTES.iter().filter(|variant| variant.method == "perspective") {
         let mut picture = picture();

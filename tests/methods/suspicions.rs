@@ -175,7 +175,8 @@ fn sums_may_wrap_as_long_as_the_value_fits() {
     let expected = 600.0 * (600.0 - 1800.0);
     let modulus = f64::from(1 << 20);
     assert_eq!((value - expected).rem_euclid(modulus), 0.0);
-    let near = EdgeEqn::<Fixed<i32, 12>>::new([600.0, 0.0], [0.0, 600.0], Constant::Averaged).evaluate(900, -800, false);
+    let near =
+        EdgeEqn::<Fixed<i32, 12>>::new([600.0, 0.0], [0.0, 600.0], Constant::Averaged).evaluate(900, -800, false);
     assert_eq!(f64::from(near.0) / 4096.0, 600.0 * 500.0);
 }
 

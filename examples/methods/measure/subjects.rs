@@ -367,7 +367,11 @@ impl Subject for antialias::Scene {
             }
             Self::Polygon(contours, rule) => {
                 let reach = reach(window, contours.iter().flat_map(|contour| contour.iter()).map(bits));
-                cover(&mut truth, &Outline::new(contours.iter().map(|contour| contour.to_vec()).collect(), *rule), &reach);
+                cover(
+                    &mut truth,
+                    &Outline::new(contours.iter().map(|contour| contour.to_vec()).collect(), *rule),
+                    &reach,
+                );
             }
             Self::Texture { texels, size, corner, pixels } => average(&mut truth, texels, *size, *corner, *pixels),
         }

@@ -31,7 +31,13 @@ impl Truth {
     /// Nothing is wanted yet.
     pub(crate) fn new() -> Self {
         let pixels = (WIDTH * HEIGHT) as usize;
-        Self { wanted: vec![Wanted::default(); pixels], coverage: vec![], attributes: vec![], channels: 0, is_depth: false }
+        Self {
+            wanted: vec![Wanted::default(); pixels],
+            coverage: vec![],
+            attributes: vec![],
+            channels: 0,
+            is_depth: false,
+        }
     }
 
     /// How many pixels the oracle's picture has.
@@ -86,7 +92,8 @@ pub(crate) fn levels_off(picture: &Picture, truth: &Truth, at: usize) -> f64 {
         return 0.0;
     }
     let off = |channel: usize| {
-        let drawn = if truth.is_depth { f64::from(picture.depth[at]) } else { f64::from(picture.attributes[at][channel]) };
+        let drawn =
+            if truth.is_depth { f64::from(picture.depth[at]) } else { f64::from(picture.attributes[at][channel]) };
         beyond_rounding(drawn - attributes[channel])
     };
     (0..truth.channels).map(off).fold(0.0, f64::max)

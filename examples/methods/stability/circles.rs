@@ -40,5 +40,10 @@ pub(crate) fn suite() -> Suite {
         let shapes = vec![[160, 200 - radius, radius], [300 - radius, 90, radius], [10, 230 - radius, radius]];
         scenes.push(Scene { name: POWERS[k], shapes });
     }
-    Suite::new("circle", CIRCLES, scenes, |_, option| if option.ends_with("outline") { Aim::Outline } else { Aim::Fill })
+    Suite::new(
+        "circle",
+        CIRCLES,
+        scenes,
+        |_, option| if option.ends_with("outline") { Aim::Outline } else { Aim::Fill },
+    )
 }

@@ -49,7 +49,8 @@ fn suite() -> Suite {
         let rule = if index % 2 == 0 { spanfill::FillRule::NonZero } else { spanfill::FillRule::EvenOdd };
         Smooth::Polygon(Vec::leak(vec![contour]), rule)
     };
-    let triangles = ["typical", "small", "slivers"].into_iter().flat_map(|name| (0..12).map(move |index| (name, index)));
+    let triangles =
+        ["typical", "small", "slivers"].into_iter().flat_map(|name| (0..12).map(move |index| (name, index)));
     let shapes = triangles.map(|(name, index)| triangle(name, index)).chain((20..28).map(star));
     let scenes = vec![
         Scene { name: "shapes", shapes: shapes.collect() },
@@ -68,7 +69,9 @@ fn edge(index: u64) -> Smooth {
     let (x, y) = (20 * ONE, 20 * ONE);
     let [a, b] = [x + random.below(3 * ONE), x + random.below(3 * ONE)];
     Smooth::Polygon(
-        Vec::leak(vec![&*Vec::leak([[x - 2 * ONE, y], [a, y], [b, y + 2 * ONE], [x - 2 * ONE, y + 2 * ONE]].map(vertex).to_vec())]),
+        Vec::leak(vec![&*Vec::leak(
+            [[x - 2 * ONE, y], [a, y], [b, y + 2 * ONE], [x - 2 * ONE, y + 2 * ONE]].map(vertex).to_vec(),
+        )]),
         spanfill::FillRule::NonZero,
     )
 }
@@ -123,12 +126,17 @@ fn flicker(report: &mut Report, suite: &Suite) {
                 let shown = (0..suite.scenes[scene].1).map(|shape| {
                     let area: f64 = suite.truth(scene, shape, entry.aim).coverage.iter().sum();
                     let _ = suite.draw(entry, scene, shape, picture);
-                    let sum: f64 =
-                        picture.count.iter().zip(&picture.coverage).map(|(count, coverage)| if *count == 0 { 0.0 } else { f64::from(*coverage) }).sum();
+                    let sum: f64 = picture
+                        .count
+                        .iter()
+                        .zip(&picture.coverage)
+                        .map(|(count, coverage)| if *count == 0 { 0.0 } else { f64::from(*coverage) })
+                        .sum();
                     sum / area
                 });
                 let shown: Vec<f64> = shown.collect();
-                let (least, most) = (shown.iter().copied().fold(f64::MAX, f64::min), shown.iter().copied().fold(0.0, f64::max));
+                let (least, most) =
+                    (shown.iter().copied().fold(f64::MAX, f64::min), shown.iter().copied().fold(0.0, f64::max));
                 format!("{least:.0} to {most:.0}")
             };
             vec![entry.label(), range("speck", &mut picture), range("bar", &mut picture)]

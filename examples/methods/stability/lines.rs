@@ -43,7 +43,8 @@ pub(crate) fn suite() -> Suite {
         scenes.push(Scene { name: POWERS[k], shapes: (0..16).map(|index| far(k, index)).collect() });
     }
     let mut suite = Suite::new("line", lines(), scenes, |_, _| Aim::Fill);
-    let is_smooth = |method: &str, option: &str| ["Wu", "Gupta-Sproull"].contains(&method) || option == "exact coverage";
+    let is_smooth =
+        |method: &str, option: &str| ["Wu", "Gupta-Sproull"].contains(&method) || option == "exact coverage";
     suite.entries.retain(|entry| !is_smooth(entry.method, entry.option));
     suite
 }

@@ -32,10 +32,12 @@ fn constants(report: &mut Report) {
          The others lose as much as A x has digits too many: a thousandth of that. The average is no better than one \
          vertex. Only differences lose nothing, as long as the coordinates themselves are exact.",
     );
-    let rows: Vec<Vec<String>> = (6..=14).map(|k| {
-        let worst = constants_at(k);
-        [k.to_string()].into_iter().chain(worst.map(|worst| format!("{worst:.6}"))).collect()
-    }).collect();
+    let rows: Vec<Vec<String>> = (6..=14)
+        .map(|k| {
+            let worst = constants_at(k);
+            [k.to_string()].into_iter().chain(worst.map(|worst| format!("{worst:.6}"))).collect()
+        })
+        .collect();
     report.table(&["k", "cross product", "one vertex", "averaged", "differences"], &rows);
 }
 

@@ -24,7 +24,11 @@ pub(crate) fn report(report: &mut Report) {
         "Random contours of nine vertices, by both rules. A fan fills what the outline surrounds in whatever way; ears need a \
          vertex wherever the outline crosses itself, and round it; seed fill fills the one region that its seed is in.",
     );
-    report.pixels("crossings", "contours that cross themselves, by the methods that are worst", outcomes(&suite, "crossings"));
+    report.pixels(
+        "crossings",
+        "contours that cross themselves, by the methods that are worst",
+        outcomes(&suite, "crossings"),
+    );
     report.heading("Seed fill: through diagonal gaps");
     report.say(
         "Diamonds, and two triangles that meet in a point. Outlines one pixel thin are 8-connected: an 8-connected fill leaves \
@@ -77,7 +81,12 @@ fn gaps(index: u64) -> Outline {
     let contour = if index % 2 == 0 {
         vec![centre(x, y - size), centre(x + size, y), centre(x, y + size), centre(x - size, y)]
     } else {
-        vec![centre(x - size, y - size), centre(x + size, y + size), centre(x + size, y - size), centre(x - size, y + size)]
+        vec![
+            centre(x - size, y - size),
+            centre(x + size, y + size),
+            centre(x + size, y - size),
+            centre(x - size, y + size),
+        ]
     };
     outline(vec![contour], false)
 }

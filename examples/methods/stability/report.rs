@@ -135,13 +135,15 @@ fn outcome(suite: &Suite, entry: &Entry, scene: usize, picture: &mut Picture) ->
 /// A window with the first pixel for which something holds in its middle.
 pub(crate) fn window_of(holds: impl Fn(usize) -> bool) -> [Range<i32>; 2] {
     let at = (0..(WIDTH * HEIGHT) as usize).find(|at| holds(*at)).unwrap_or(0) as i32;
-    let [left, top] = [(at % WIDTH - COLUMNS / 2).clamp(0, WIDTH - COLUMNS), (at / WIDTH - ROWS / 2).clamp(0, HEIGHT - ROWS)];
+    let [left, top] =
+        [(at % WIDTH - COLUMNS / 2).clamp(0, WIDTH - COLUMNS), (at / WIDTH - ROWS / 2).clamp(0, HEIGHT - ROWS)];
     [left..left + COLUMNS, top..top + ROWS]
 }
 
 /// What is wrong, in a few words.
 pub(crate) fn summary(tally: &Tally, is_of_levels: bool) -> String {
-    let counts = [(tally.missing, "missing"), (tally.extra, "extra"), (tally.doubled, "twice"), (tally.refused, "refused")];
+    let counts =
+        [(tally.missing, "missing"), (tally.extra, "extra"), (tally.doubled, "twice"), (tally.refused, "refused")];
     let mut parts: Vec<String> =
         counts.iter().filter(|(count, _)| *count > 0).map(|(count, name)| format!("{count} {name}")).collect();
     if is_of_levels && tally.worst > 0.0 {
@@ -178,12 +180,21 @@ impl Report {
     /// A case with a table of levels.
     pub(crate) fn levels(&mut self, name: &str, what: &str, unit: &str, mut outcomes: Vec<Outcome>) {
         outcomes.sort_by(|a, b| {
-            b.is_shipped.cmp(&a.is_shipped).then(b.tally.worst.total_cmp(&a.tally.worst)).then_with(|| a.label.cmp(&b.label))
+            b.is_shipped
+                .cmp(&a.is_shipped)
+                .then(b.tally.worst.total_cmp(&a.tally.worst))
+                .then_with(|| a.label.cmp(&b.label))
         });
         let row = |outcome: &Outcome| {
             let Tally { pixels, levels, worst, refused, .. } = outcome.tally;
             let mean = levels / pixels.max(1) as f64;
-            vec![outcome.label.clone(), pixels.to_string(), format!("{worst:.2}"), format!("{mean:.3}"), refused.to_string()]
+            vec![
+                outcome.label.clone(),
+                pixels.to_string(),
+                format!("{worst:.2}"),
+                format!("{mean:.3}"),
+                refused.to_string(),
+            ]
         };
         let (worst, mean) = (format!("worst, {unit}"), format!("mean, {unit}"));
         let columns = ["method", "pixels", &worst, &mean, "refused"];
@@ -195,7 +206,8 @@ impl Report {
 
     fn no_others(&mut self, exact: &[Outcome]) {
         if !exact.is_empty() {
-            let names: Vec<String> = exact.iter().map(|outcome| outcome.label.replace('|', "\\|").replace('*', "\\*")).collect();
+            let names: Vec<String> =
+                exact.iter().map(|outcome| outcome.label.replace('|', "\\|").replace('*', "\\*")).collect();
             self.say(&format!("Nothing is wrong with {} others: {}.", names.len(), names.join("; ")));
         }
     }
@@ -203,8 +215,8 @@ impl Report {
 
 /// The scenes named by powers of two.
 pub(crate) const POWERS: [&str; 24] = [
-    "0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11", "12", "13", "14", "15", "16", "17", "18", "19", "20", "21", "22",
-    "23",
+    "0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "10", "11", "12", "13", "14", "15", "16", "17", "18", "19", "20",
+    "21", "22", "23",
 ];
 
 impl Report {

@@ -19,7 +19,8 @@ pub(crate) fn report(report: &mut Report) {
          crack, *twice* an overlap, *extra* a pixel outside of the mesh. The methods that decide about shared edges:",
     );
     let meshes = || -> Vec<Mesh> {
-        let mesh = |name: &'static str, count: usize| (0..count).map(move |index| Mesh(scenes::mesh(name, index).to_vec()));
+        let mesh =
+            |name: &'static str, count: usize| (0..count).map(move |index| Mesh(scenes::mesh(name, index).to_vec()));
         scenes::MESHES.into_iter().flat_map(|(name, count)| mesh(name, count)).collect()
     };
     let scene = vec![Scene { name: "meshes", shapes: meshes() }];

@@ -47,13 +47,17 @@ fn entry<'a>(suite: &'a Suite, method: &str, option: &str) -> &'a Entry {
 }
 
 fn wrong(tally: &Tally) -> String {
-    format!("{} missing, {} extra, {} twice, {} by another tie, of {}", tally.missing, tally.extra, tally.doubled, tally.moved, tally.pixels)
+    format!(
+        "{} missing, {} extra, {} twice, {} by another tie, of {}",
+        tally.missing, tally.extra, tally.doubled, tally.moved, tally.pixels
+    )
 }
 
 fn of_lines() -> Vec<Suspicion> {
     let suite = lines::suite();
     let [printed, derived] = ["d <= 0", "d < 0"].map(|option| tally(&suite, "Bresenham", option, "first octant"));
-    let [dropped, kept] = ["nearest, xi < dx", "nearest, xi <= dx"].map(|option| tally(&suite, "y = mx + b", option, "first octant"));
+    let [dropped, kept] =
+        ["nearest, xi < dx", "nearest, xi <= dx"].map(|option| tally(&suite, "y = mx + b", option, "first octant"));
     let floor = tally(&suite, "y = mx + b", "floor, xi <= dx", "first octant");
     let lines = suite.scenes.iter().find(|(name, _)| *name == "first octant").map_or(0, |(_, lines)| *lines);
     vec![

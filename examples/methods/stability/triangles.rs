@@ -107,15 +107,18 @@ const MOST_POWER: usize = 22;
 /// One edge leads across the screen, from and to places 2^k px away; the third vertex is as far to a side.
 fn far(k: usize, index: u64) -> Triangle {
     let mut random = Random::new(0xFA2 + index);
-    let middle = [(20 + random.below(280)) * ONE + random.below(ONE), (20 + random.below(200)) * ONE + random.below(ONE)];
+    let middle =
+        [(20 + random.below(280)) * ONE + random.below(ONE), (20 + random.below(200)) * ONE + random.below(ONE)];
     let reach = 1_i64 << (k + 8);
     // A part of the reach, in any direction.
     let mut part = || (i64::from(random.below(2001)) - 1000) * reach / 1024 + i64::from(random.below(ONE));
     let (to, away) = ([part(), part()], [part(), part()]);
-    let place = |offset: [i64; 2]| [0, 1].map(|axis| {
-        let at = i64::from(middle[axis]) + offset[axis];
-        at.clamp(i32::MIN.into(), i32::MAX.into()) as i32
-    });
+    let place = |offset: [i64; 2]| {
+        [0, 1].map(|axis| {
+            let at = i64::from(middle[axis]) + offset[axis];
+            at.clamp(i32::MIN.into(), i32::MAX.into()) as i32
+        })
+    };
     [place(to), place([-to[0], -to[1]]), place(away)]
 }
 
@@ -136,15 +139,21 @@ fn orders(report: &mut Report, suites: &[Suite]) {
             for shape in 0..shapes.len() {
                 let [first, other] = &mut pictures;
                 let _ = suite.draw(entry, 0, shape * 6, first);
-                let by: usize = (1..6).map(|order| {
-                    let _ = suite.draw(entry, 0, shape * 6 + order, other);
-                    first.count.iter().zip(&other.count).filter(|(a, b)| (**a == 0) != (**b == 0)).count()
-                }).sum();
+                let by: usize = (1..6)
+                    .map(|order| {
+                        let _ = suite.draw(entry, 0, shape * 6 + order, other);
+                        first.count.iter().zip(&other.count).filter(|(a, b)| (**a == 0) != (**b == 0)).count()
+                    })
+                    .sum();
                 differing += by;
                 triangles += usize::from(by > 0);
             }
             if differing > 0 || entry.is_shipped() {
-                rows.push((entry.is_shipped(), differing, vec![entry.label(), triangles.to_string(), differing.to_string()]));
+                rows.push((
+                    entry.is_shipped(),
+                    differing,
+                    vec![entry.label(), triangles.to_string(), differing.to_string()],
+                ));
             } else {
                 steady.push(entry.label());
             }
