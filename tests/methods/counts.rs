@@ -1,6 +1,18 @@
 //! How often the methods are wrong, held against a file.
 
-use std::{fmt::Write as _, fs, path::Path};
+use std::{convert::Infallible, fmt::Write as _, fs, path::Path};
+
+use spanfill::{
+    Fragment, FragmentSink,
+    methods::{
+        number::{Fixed, Number, Real},
+        triangle::{
+            edge_equations::{Options, edge_equations},
+            equation::Constant,
+            orientation::Orientation,
+        },
+    },
+};
 
 use crate::{
     oracle::{Rng, rect},
@@ -99,12 +111,12 @@ fn limits(variants: &[Variant<Corners>], text: &mut String) {
                 let pixels = clip.rows.clone().flat_map(|y| clip.columns.clone().map(move |x| (x, y)));
                 (v, pixels.map(|(x, y)| truth(&v, x, y)).collect())
             };
-            (0..40).map(triangle).collect()
+            (0..100).map(triangle).collect()
         })
         .collect();
     writeln!(
         text,
-        "\n{}: triangles of 2^4 to 2^22 px, the first power at which one of 40 is wrong",
+        "\n{}: triangles of 2^4 to 2^22 px, the first power at which one of 100 is wrong",
         variants[0].family
     )
     .unwrap();
@@ -124,6 +136,69 @@ fn limits(variants: &[Variant<Corners>], text: &mut String) {
         let first = first.map_or("none".to_owned(), |power| format!("2^{}", power + 4));
         writeln!(text, "{first:>5}  {}", name(variant)).unwrap();
     }
+}
+
+/// The pixels that come.
+struct Drawn(Vec<(i32, i32)>);
+
+impl FragmentSink for Drawn {
+    type Error = Infallible;
+
+    fn fragment(&mut self, fragment: Fragment) -> Result<(), Infallible> {
+        self.0.push((fragment.x, fragment.y));
+        Ok(())
+    }
+}
+
+/// Wrong pixels of small triangles, by how far away they are: what cancels in C.
+fn far<N: Number>(name: &str, options: Options, text: &mut String) {
+    for power in (6..=18).step_by(2) {
+        let mut wrong = 0;
+        for case in 0..200 {
+            let mut rng = Rng::new(0xFA4, case);
+            let at = 1 << power;
+            let v = [(); 3].map(|()| [(); 2].map(|()| 256 * at + rng.int(0..=8 * 256) as i32));
+            let clip = rect(at..at + 8, at..at + 8);
+            let mut drawn = Drawn(Vec::new());
+            let corners = v.map(|vertex| vertex.map(N::Setup::from_subpixels));
+            edge_equations::<N, _>(&corners, options, &clip, &mut drawn).expect("nothing to refuse");
+            for y in clip.rows.clone() {
+                for x in clip.columns.clone() {
+                    wrong += u32::from(match truth(&v, x, y) {
+                        Truth::Outside => drawn.0.contains(&(x, y)),
+                        Truth::Inside => !drawn.0.contains(&(x, y)),
+                        Truth::TieInside | Truth::TieOutside => false,
+                    });
+                }
+            }
+        }
+        write!(text, "{wrong:6}").unwrap();
+    }
+    writeln!(text, "  {name}").unwrap();
+}
+
+/// The ways to C that the notes compare, and the one without.
+fn cancellation(text: &mut String) {
+    text.push_str(
+        "\nwrong pixels of 200 triangles of at most 8 px, 2^6, 2^8 .. 2^18 px right of and below the origin\n",
+    );
+    for stepped in [true, false] {
+        for (name, constant, orientation) in [
+            ("cross product", Constant::CrossProduct, Orientation::SumOfCs),
+            ("one vertex", Constant::OneVertex, Orientation::SumOfCs),
+            ("averaged", Constant::Averaged, Orientation::SumOfCs),
+            ("averaged, area by differences", Constant::Averaged, Orientation::Area),
+            ("averaged, third vertex", Constant::Averaged, Orientation::ThirdVertex),
+            ("differences", Constant::Differences, Orientation::Area),
+        ] {
+            let options = Options { constant, orientation, stepped, ..Options::USUAL };
+            let way = if stepped { "stepped" } else { "at each pixel" };
+            far::<f32>(&format!("f32, {name}, {way}"), options, text);
+        }
+    }
+    far::<f64>("f64, averaged, stepped", Options::USUAL, text);
+    far::<Fixed<i32, 12>>("F = 12, 32 bits, averaged, stepped", Options::USUAL, text);
+    far::<Fixed<i64, 12>>("F = 12, 64 bits, averaged, stepped", Options::USUAL, text);
 }
 
 /// Meshes that fill a rectangle, whose pixels each are to be drawn once.
@@ -190,6 +265,7 @@ fn counts_are_as_they_were() {
     count(TRAVERSAL, &mut text);
     limits(INSIDE, &mut text);
     limits(TRAVERSAL, &mut text);
+    cancellation(&mut text);
     cracks(&mut text);
     shaded::count(&mut text);
     check_file("triangle.txt", &text);

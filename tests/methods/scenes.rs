@@ -88,8 +88,10 @@ pub(crate) fn name<S: ?Sized>(variant: &Variant<S>) -> String {
     format!("{}, {}", variant.method, variant.option)
 }
 
+type Make = fn(&mut Rng) -> Corners;
+
 /// Kinds of triangles, by name; each is the same on every machine.
-pub(crate) const SCENES: [(&str, fn(&mut Rng) -> Corners); 6] = [
+pub(crate) const SCENES: [(&str, Make); 6] = [
     ("typical", |rng| corners(rng, 0, 320, 0, 240, 1)),
     ("half pixels", |rng| corners(rng, 20, 100, 20, 100, 128)),
     ("small", |rng| {

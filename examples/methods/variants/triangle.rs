@@ -259,7 +259,8 @@ crate::variants! { TRAVERSAL: Corners;
 /// A point off the clip on the line of the mesh's first edge, in pixels along `axis`.
 fn on_an_edges_line(mesh: &[Corners], axis: Axis, clip: &PixelRect) -> [f64; 2] {
     let mut point = mesh.first().map_or([-256, -256], |[v0, _, _]| v0.map(i64::from));
-    let beyond = mesh.first().map_or([0, 0], |[v0, v1, _]| [0, 1].map(|axis| i64::from(v0[axis]) - i64::from(v1[axis])));
+    let beyond =
+        mesh.first().map_or([0, 0], |[v0, v1, _]| [0, 1].map(|axis| i64::from(v0[axis]) - i64::from(v1[axis])));
     let is_in = |value: i64, pixels: &core::ops::Range<i32>| {
         256 * i64::from(pixels.start) <= value && value < 256 * i64::from(pixels.end)
     };
@@ -275,8 +276,8 @@ fn on_an_edges_line(mesh: &[Corners], axis: Axis, clip: &PixelRect) -> [f64; 2] 
 /// Shirley's.
 const CORNER: [f64; 2] = [-1.0, -1.0];
 
-fn each(mesh: &[Corners], mut draw: impl FnMut(&Corners) -> Result<(), Infallible>) -> Outcome {
-    done(mesh.iter().try_for_each(|triangle| draw(triangle)))
+fn each(mesh: &[Corners], draw: impl FnMut(&Corners) -> Result<(), Infallible>) -> Outcome {
+    done(mesh.iter().try_for_each(draw))
 }
 
 crate::variants! { SHARED: [Corners];

@@ -5,7 +5,7 @@
 
 use crate::{FragmentSink, PixelRect};
 
-use super::{Corner, plane::Setup, super::number::Real};
+use super::{super::number::Real, Corner, plane::Setup};
 
 /// The average of three colours, for channels of 0 and more.
 #[inline]

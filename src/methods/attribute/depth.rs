@@ -4,7 +4,8 @@
 //! interpolate other parameters such as the depth at each point on the triangle".
 //!
 //! In integers, 16 bits of depth leave 15 for a fraction in a word of 32; with 12, a step is cut to 2^-12, and n
-//! pixels are off by up to n / 4096 of a level.
+//! pixels are off by up to n / 4096 of a level. C is the depth at the origin, which of a small steep triangle may be
+//! anything: where it leaves the word it saturates, and no depth of that triangle is right.
 
 use crate::{FragmentSink, PixelRect};
 

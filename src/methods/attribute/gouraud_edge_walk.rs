@@ -13,6 +13,8 @@
 //! Without the two offsets, colours start up to a pixel too late: a step of up to a pixel's worth of slope to and fro
 //! between rows, which shows as a ragged shade along the edges. A division a channel and row.
 
+use core::cmp::Ordering;
+
 use crate::{Fragment, FragmentSink, PixelRect};
 
 use super::{
@@ -76,7 +78,7 @@ pub fn gouraud_edge_walk<R: Real, const N: usize, S: FragmentSink<N>>(
     let (top, middle) = by_height(a, b);
     let vertices = [[top.x, top.y], [middle.x, middle.y], [bottom.x, bottom.y]];
     // NaN, too.
-    if !(top.y < bottom.y) {
+    if top.y.partial_cmp(&bottom.y) != Some(Ordering::Less) {
         return Ok(());
     }
     let [above, below] = halves::<FloatDda<R>>(&vertices, Spans::HalfOpen, clip);

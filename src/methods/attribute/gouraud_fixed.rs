@@ -10,8 +10,10 @@
 //!
 //! `edge.A` and `area` have 12 fraction bits, which cancel; `scale` brings them back. The half that is added makes the
 //! shift round to the nearest in place of down. A and B are cut to 2^-12 of a level a pixel: after n pixels a value is
-//! off by up to n / 4096, a level over the whole of a large triangle. C is cut, too, and where the origin is far away
-//! it is large: with slopes of 1 a pixel, 2^19 px. The clamp catches what that and a sample outside bring.
+//! off by up to n / 4096: on triangles across a screen of 320 px, 10 % of the values are not the nearest, by 0.57 of a
+//! level at worst (counted in `tests/methods/triangle.txt`). C is the value at the origin, and saturates where that
+//! leaves 2^19 levels: slivers have slopes of thousands of levels a pixel. The clamp catches what that and a sample
+//! outside bring.
 
 use crate::{Fragment, FragmentSink, PixelRect};
 

@@ -13,7 +13,7 @@
 
 use crate::{FragmentSink, PixelRect};
 
-use super::{Corner, channels, plane::Setup, super::number::Real};
+use super::{super::number::Real, Corner, channels, plane::Setup};
 
 /// Fills the triangle; values are rounded to the nearest.
 ///

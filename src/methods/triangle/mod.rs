@@ -53,7 +53,8 @@ impl<E> From<E> for Failure<E> {
 }
 
 const LECTURE_6: &str = "MIT, 6.837 Lecture 6: Scan Converting Triangles";
-const BARYCENTRIC: &str = "Triangles: barycentric coordinates (lecture notes), after Shirley, Fundamentals of Computer Graphics";
+const BARYCENTRIC: &str =
+    "Triangles: barycentric coordinates (lecture notes), after Shirley, Fundamentals of Computer Graphics";
 const RASTERIZATION: &str = "Rasterization (lecture notes), after Akenine-Möller and Hasselgren";
 const SHIPPED: Method =
     Method { name: "spanfill", options: &["shipped"], source: "spanfill::Triangle, by Shape::spans" };

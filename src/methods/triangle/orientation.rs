@@ -5,9 +5,8 @@
 //!
 //! The three C's are twice the signed areas of the triangles that the origin forms with the edges; their sum is twice
 //! the signed area of the whole. Where it is positive, all three equations are positive inside. The sum cancels where
-//! the triangle is small and far away: in floats, and in 12 fraction bits for triangles of less than about 1/1000
-//! square pixel, it may be 0, which draws nothing, or have the wrong sign, which draws nothing but the outside's
-//! overlap.
+//! the triangle is small and far away: in floats by what each C was rounded by, in `F` fraction bits where twice the
+//! area is below `3 / 2^F`. It may then be 0 or have the wrong sign, and nothing is drawn.
 
 use super::{
     super::number::{Number, Real},

@@ -12,6 +12,8 @@
 //! nothing is known of their orientation, which each gets from its sign at the vertex opposite; and the vertices have
 //! to be found for that and for the box. Edges that are nearly parallel meet in rounded places.
 
+use core::cmp::Ordering;
+
 use crate::{FragmentSink, PixelRect};
 
 use super::{
@@ -54,12 +56,11 @@ pub fn three_edges<R: Real + Number, S: FragmentSink>(
     let mut oriented = *edges;
     for ([a, b, c], [x, y]) in oriented.iter_mut().zip(vertices) {
         let sidedness = *a * x + *b * y + *c;
-        // NaN, too: parallel edges enclose nothing.
-        if !(sidedness > R::ZERO || sidedness < R::ZERO) {
-            return Ok(());
-        }
-        if sidedness < R::ZERO {
-            (*a, *b, *c) = (-*a, -*b, -*c);
+        match sidedness.partial_cmp(&R::ZERO) {
+            Some(Ordering::Greater) => {}
+            Some(Ordering::Less) => (*a, *b, *c) = (-*a, -*b, -*c),
+            // NaN, too: parallel edges enclose nothing.
+            _ => return Ok(()),
         }
     }
     let [[x0, y0], [x1, y1], [x2, y2]] = vertices;

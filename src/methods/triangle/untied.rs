@@ -1,8 +1,8 @@
 //! Shared edges without a rule: `>= 0` draws the pixels on an edge twice, `> 0` never.
 //!
-//! Source: the lecture notes "Rasterization", "Shared edges": the same notes set a pixel "if all three edge equations
-//! > 0" on one slide, and where they are `>= 0` on another. "6.837 Lecture 6" says "positive" in its text and has
-//! `>= 0` in its code.
+//! Source: the lecture notes "Rasterization", "Shared edges", which set a pixel where all three edge equations are `> 0`
+//! on one slide and where they are `>= 0` on another. "6.837 Lecture 6" says "positive" in its text and has `>= 0` in
+//! its code.
 
 use crate::{Fragment, FragmentSink, PixelRect};
 
