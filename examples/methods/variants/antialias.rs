@@ -54,7 +54,7 @@ pub fn rectangle([start, end]: [Vertex; 2]) -> [Vertex; 4] {
     let at = |vertex: Vertex| [vertex.x, vertex.y].map(|at| f64::from(at.to_bits()));
     let ([ax, ay], [bx, by]) = (at(start), at(end));
     let (dx, dy) = (bx - ax, by - ay);
-    let length = root(dx * dx + dy * dy).max(1.0);
+    let length = root(dx * dx + dy * dy);
     let (nx, ny) = (128.0 * -dy / length, 128.0 * dx / length);
     let vertex = |x: f64, y: f64| {
         let nearest = |at: f64| (at + if at < 0.0 { -0.5 } else { 0.5 }) as i32;
@@ -63,9 +63,10 @@ pub fn rectangle([start, end]: [Vertex; 2]) -> [Vertex; 4] {
     [vertex(ax + nx, ay + ny), vertex(bx + nx, by + ny), vertex(bx - nx, by - ny), vertex(ax - nx, ay - ny)]
 }
 
-/// A square root without `std`: Newton's, from above, until it no longer falls.
+/// A square root of 1 or more without `std`: Newton's, from above, until it no longer falls.
 fn root(square: f64) -> f64 {
-    let mut root = square.max(1.0);
+    let square = square.max(1.0);
+    let mut root = square;
     loop {
         let next = (root + square / root) / 2.0;
         if next >= root {

@@ -128,7 +128,7 @@ fn add(edge: &Edge, row: i32, left: i32, columns: &mut [AreaColumn]) {
 fn add_integers(edge: &Edge, row: i32, left: i32, columns: &mut [AreaColumn]) {
     let top = 256 * i64::from(row);
     let Some([[xa, ya], [xb, yb]]) = edge.within(top, top + 256) else { return };
-    let (origin, end) = (256 * i64::from(left), 256 * columns.len() as i64);
+    let (origin, end) = (256 * i64::from(left), i64::try_from(256 * columns.len()).unwrap_or(i64::MAX));
     let column_of = |x: f64| (libm::floor(x) as i64).saturating_sub(origin);
     // From left to right: the area does not know which way the edge goes.
     let (from, to) = if xa <= xb { (column_of(xa), column_of(xb)) } else { (column_of(xb), column_of(xa)) };

@@ -8,7 +8,10 @@
 //! Averages are exact: a texel on the border of two pixels counts for its share in each. With W texels to P pixels, texel
 //! j has `min((j + 1) P, (i + 1) W) - max(j P, i W)` parts of `W` in pixel i.
 
-use crate::{Fragment, FragmentSink, PixelRect, methods::antialias::Error};
+use crate::{
+    Fragment, FragmentSink, PixelRect,
+    methods::{antialias::Error, line::display::steps_within},
+};
 
 /// Grey texels, rows downwards.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -62,8 +65,12 @@ pub fn draw<S: FragmentSink>(
     if width == 0 || height == 0 {
         return Ok(());
     }
-    for (y, row) in (0..rows).zip(top..).filter(|(_, row)| clip.rows.contains(row)) {
-        for (x, column) in (0..columns).zip(left..).filter(|(_, column)| clip.columns.contains(column)) {
+    let last = |pixels: u64| pixels as i32 - 1;
+    for y in steps_within(top, false, last(rows), &clip.rows) {
+        let row = top.wrapping_add_unsigned(y);
+        for x in steps_within(left, false, last(columns), &clip.columns) {
+            let column = left.wrapping_add_unsigned(x);
+            let (x, y) = (u64::from(x), u64::from(y));
             sink.visit(column, row);
             let grey = match sampling {
                 Sampling::Point => {

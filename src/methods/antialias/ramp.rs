@@ -2,8 +2,8 @@
 //!
 //! ```text
 //!    outside              inside          coverage = 1/2 + distance, from 0 to 1:
-//!      0     .25   .5   .75    1          right for an edge that is level or upright, off by up to 9 %
-//!            --- edge ---                 for a diagonal one, by more at corners
+//!      0     .25   .5   .75    1          right for an edge that is level or upright, off by up to 4 %
+//!            --- edge ---                 for a diagonal one, by half at corners
 //! ```
 //!
 //! One root for each pixel that the outline is near.

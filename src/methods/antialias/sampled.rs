@@ -79,7 +79,7 @@ fn add_line(outline: &Outline<'_>, row: i32, line: &SampleLine<'_>, left: i32, c
     let side = line.weights.len().clamp(1, MOST);
     let y = 256 * i64::from(row) + line.y;
     let first = 256 * i64::from(left) + line.x;
-    let step = 256 / side as i64;
+    let step = 256 / i64::try_from(side).unwrap_or(1);
     let mut any = false;
     for edge in outline.edges() {
         let Some(sample) = edge.crossing(y, first, step) else { continue };

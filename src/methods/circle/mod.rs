@@ -27,6 +27,31 @@
 //!   theirs. Its sines and cosines are good enough for circles of that size.
 //!
 //! A radius of more than [`octant::LONGEST_WALK`] is not walked: [`far`] draws what is seen of it, nearest pixels.
+//!
+//! ```
+//! use core::convert::Infallible;
+//! use spanfill::{
+//!     Fragment, FragmentSink, PixelRect,
+//!     methods::circle::{midpoint::{self, Decision}, octant::Style},
+//! };
+//!
+//! struct Picture([[char; 5]; 5]);
+//!
+//! impl FragmentSink for Picture {
+//!     type Error = Infallible;
+//!
+//!     fn fragment(&mut self, Fragment { x, y, .. }: Fragment) -> Result<(), Infallible> {
+//!         self.0[y as usize][x as usize] = '#';
+//!         Ok(())
+//!     }
+//! }
+//!
+//! let mut picture = Picture([[' '; 5]; 5]);
+//! let clip = PixelRect { rows: 0..5, columns: 0..5 };
+//! midpoint::circle([2, 2, 2], Decision::Integer, Style::Outline, &clip, &mut picture)?;
+//! assert_eq!(picture.0.map(String::from_iter), [" ### ", "#   #", "#   #", "#   #", " ### "]);
+//! # Ok::<(), Infallible>(())
+//! ```
 
 #![allow(
     clippy::cast_possible_truncation,

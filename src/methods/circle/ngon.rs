@@ -12,7 +12,7 @@
 use core::f64::consts::TAU;
 
 use crate::{
-    FragmentSink, PixelRect, Polygon, Shape, Span, SpanSink, Vertex,
+    FragmentSink, PixelRect, Polygon, Span, SpanSink, Vertex,
     methods::{
         circle::octant::Style,
         line::{
@@ -20,6 +20,7 @@ use crate::{
             display::display_pixel,
         },
     },
+    shape::Shape,
 };
 
 /// Hands spans on as fragments.

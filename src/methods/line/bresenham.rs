@@ -30,27 +30,33 @@ pub enum East {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Decision {
     pub(super) d: i32,
+    incr_e: i32,
+    incr_ne: i32,
+    /// E is where d is below: `d <= 0` is `d < 1`.
+    limit: i32,
     dx: i32,
     dy: i32,
-    east: East,
 }
 
 impl Decision {
+    #[inline]
     pub(super) fn new(dx: i32, dy: i32, east: East) -> Self {
-        Self { d: dy.wrapping_mul(2).wrapping_sub(dx), dx, dy, east }
+        Self {
+            d: dy.wrapping_mul(2).wrapping_sub(dx),
+            incr_e: dy.wrapping_mul(2),
+            incr_ne: dy.wrapping_sub(dx).wrapping_mul(2),
+            limit: i32::from(east == East::AtZero),
+            dx,
+            dy,
+        }
     }
 
     /// One step: whether it goes to NE.
     #[inline(always)]
     pub(super) fn step(&mut self) -> bool {
-        let is_east = match self.east {
-            East::AtZero => self.d <= 0,
-            East::BelowZero => self.d < 0,
-        };
-        let incr_e = self.dy.wrapping_mul(2);
-        let incr_ne = self.dy.wrapping_sub(self.dx).wrapping_mul(2);
-        self.d = self.d.wrapping_add(if is_east { incr_e } else { incr_ne });
-        !is_east
+        let is_north_east = self.d >= self.limit;
+        self.d = self.d.wrapping_add(if is_north_east { self.incr_ne } else { self.incr_e });
+        is_north_east
     }
 
     /// `k` steps at once: how many of them go to NE.
@@ -61,10 +67,8 @@ impl Decision {
         if k == 0 || dx <= 0 {
             return 0;
         }
-        let rows = match self.east {
-            East::BelowZero => (2 * dy * k + dx).div_euclid(2 * dx),
-            East::AtZero => -(dx - 2 * dy * k).div_euclid(2 * dx),
-        };
+        let rows =
+            if self.limit == 0 { (2 * dy * k + dx).div_euclid(2 * dx) } else { -(dx - 2 * dy * k).div_euclid(2 * dx) };
         let rows = rows.clamp(0, k);
         self.d = (2 * dy * (k + 1) - dx - 2 * dx * rows) as i32;
         rows as i32

@@ -132,7 +132,7 @@ fn walk_fixed<S: FragmentSink>(
     // |dy| <= |dx|: at most 2^16, but for a point.
     let m = ((i64::from(dy) << 16) + i64::from(dx) / 2).checked_div(i64::from(dx)).unwrap_or(0) as i32;
     let visible = steps_within(x1, false, dx.saturating_abs(), &clip.columns);
-    let mut y = y1.wrapping_shl(16).wrapping_add(1 << 15).wrapping_add(m.wrapping_mul(visible.start as i32));
+    let mut y = y1.wrapping_shl(16).wrapping_add(1 << 15).wrapping_add(m.wrapping_mul(visible.start.cast_signed()));
     for k in visible {
         display_pixel(x1.wrapping_add_unsigned(k), y >> 16, clip, sink)?;
         y = y.wrapping_add(m);

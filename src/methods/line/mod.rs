@@ -22,6 +22,30 @@
 //!
 //! Integers wrap, as in the published code: lines of more than 2^30 pixels are wrong in all methods with a decision
 //! variable of 32 bits. Time is bounded by [`display::PATIENCE`] steps outside of the clip.
+//!
+//! ```
+//! use core::convert::Infallible;
+//! use spanfill::{
+//!     Fragment, FragmentSink, PixelRect,
+//!     methods::line::directly::{self, Ties},
+//! };
+//!
+//! struct Rows([i32; 7]);
+//!
+//! impl FragmentSink for Rows {
+//!     type Error = Infallible;
+//!
+//!     fn fragment(&mut self, Fragment { x, y, .. }: Fragment) -> Result<(), Infallible> {
+//!         self.0[x as usize] = y;
+//!         Ok(())
+//!     }
+//! }
+//!
+//! let mut rows = Rows([0; 7]);
+//! directly::line([[0, 0], [6, 2]], Ties::Diagonal, &PixelRect { rows: 0..9, columns: 0..7 }, &mut rows)?;
+//! assert_eq!(rows.0, [0, 0, 1, 1, 1, 2, 2]);
+//! # Ok::<(), Infallible>(())
+//! ```
 
 #![allow(
     clippy::cast_possible_truncation,

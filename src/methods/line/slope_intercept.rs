@@ -45,12 +45,13 @@ pub fn line<S: FragmentSink>(
         Last::Dropped => dx.saturating_sub(1),
         Last::Drawn => dx,
     };
+    let half = match rounding {
+        Rounding::Floor => 0.0,
+        Rounding::Nearest => 0.5,
+    };
     for xi in steps_within(x1, false, last, &clip.columns) {
         let yt = m * xi as f32 + y1 as f32;
-        let yi = match rounding {
-            Rounding::Floor => libm::floorf(yt),
-            Rounding::Nearest => libm::floorf(yt + 0.5),
-        };
+        let yi = libm::floorf(yt + half);
         display_pixel(x1.wrapping_add_unsigned(xi), yi as i32, clip, sink)?;
     }
     Ok(())

@@ -7,14 +7,16 @@
 //!     +-------+-------+
 //! ```
 //!
-//! `tests/methods_points.rs` draws a surface as a mesh that gets finer and finer, and counts pixels looked at, missing and
-//! drawn more than once: triangles stay exact at any size, and points have no holes from where their distance is less than
-//! a pixel. In [`crossover`] small triangles become points, and large ones stay what they are.
+//! `tests/methods/points.txt` has a surface of 1024 pixels as a mesh that gets finer and finer. Triangles stay exact at any
+//! size: with cells of a pixel each looks at one pixel in the mean, with cells of an eighth 131,072 of them at 2,492, and all
+//! the rest is setup. As points, the mesh has holes where cells are larger than a pixel (half of all pixels at 2) and none
+//! from there on; each pixel then comes as often as there are centroids in it, and some beyond the outline. In [`crossover`]
+//! small triangles become points and large ones stay what they are, which is right as long as no neighbour is the other.
 //!
 //! `Math.Round` is one of two ways in which points are wrong. On a screen whose pixel centres lie at half integers, it
 //! names the pixel that has the vertex near its top left corner: half a pixel off, right and down. On one with pixel
 //! centres at integers, it goes to the even pixel from exactly between two: of vertices on a grid of half pixels, every
-//! other pixel gets two and the next none.
+//! other pixel gets three and the next one.
 
 #![allow(clippy::cast_possible_truncation, reason = "casts from float saturate, NaN is 0")]
 
