@@ -16,9 +16,10 @@ use embedded_graphics::{
     primitives::{self as eg, CornerRadii, Rectangle, StrokeAlignment, StyledDimensions, StyledDrawable},
 };
 use spanfill::{
-    ActiveEdge, ActiveEdges, Blend, BlockSink, Cell, Circle, Cover, CoverageEdge, CoverageSink, Dither, FillRule,
-    InPlace, Line, Linear, Mix, MixLinear, Over, PixelRect, PixelRows, Polygon, ReadBack, SampleCell, SampleEdge,
-    Samples, Shape, Span, SpanSink, TooLittleScratch, Triangle, Turn, Vertex,
+    ActiveEdge, ActiveEdges, Blend, BlockSink, Cell, Circle, Connectivity, Cover, CoverageEdge, CoverageSink, Dither,
+    FillRegion, FillRule, FillSegment, InPlace, Line, Linear, Mix, MixLinear, Over, PixelRect, PixelRows, Polygon,
+    ReadBack, SampleCell, SampleEdge, Samples, SeedFill, Shape, Span, SpanSink, TooLittleScratch, Triangle, Turn,
+    Vertex,
     eg::{DrawOn, Style, StyleBuilder},
     prelude::*,
 };
@@ -120,6 +121,36 @@ impl PixelRows for Display {
     fn row_from(&mut self, start: Point) -> Option<&mut [Rgb565]> {
         black_box(start);
         black_box(None)
+    }
+}
+
+/// A bitmap that nobody knows, and that can fail.
+struct Region(PixelRect);
+
+impl FillRegion for Region {
+    type Error = u8;
+
+    fn bounds(&self) -> PixelRect {
+        self.0.clone()
+    }
+
+    fn is_open(&self, x: i32, y: i32) -> bool {
+        black_box((x, y));
+        black_box(false)
+    }
+
+    fn fill(&mut self, row: i32, columns: core::ops::Range<i32>) -> Result<(), u8> {
+        black_box((row, columns));
+        black_box(Ok(()))
+    }
+}
+
+fn fill_from_seed(clip: &PixelRect, display: &mut Display) {
+    let mut stack = black_box([FillSegment::EMPTY; 16]);
+    for connectivity in black_box([Connectivity::Four, Connectivity::Eight]) {
+        let fill = SeedFill::new(black_box(Point::zero())).connectivity(connectivity);
+        let _ = black_box(fill.fill(&mut Region(clip.clone()), some_of(&mut stack)));
+        let _ = black_box(fill.draw(black_box(Rgb565::RED), display, some_of(&mut stack)));
     }
 }
 
@@ -298,6 +329,7 @@ fn main() -> ! {
         if let Err(error) = draw_shapes(clip, &mut display) {
             black_box(error);
         }
+        fill_from_seed(clip, &mut display);
         draw_primitives(&mut display);
         mix_all();
     }

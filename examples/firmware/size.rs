@@ -1,6 +1,6 @@
-//! One program for each thing that `examples/firmware/size.sh` measures: what it draws is named by the environment variable
-//! `SPANFILL_SIZE` while it is built, words with spaces between them. Everything is compiled, whatever is measured; what a
-//! program does not name is not in it.
+//! One program for each thing that `examples/firmware/size.sh` measures: what it draws is named by the environment
+//! variable `SPANFILL_SIZE` while it is built, words with spaces between them. Everything is compiled, whatever is
+//! measured; what a program does not name is not in it.
 //!
 //! `stack` among the words makes a program that runs: it says how deep its stack went while it drew.
 

@@ -1,7 +1,7 @@
 # What builds firmware, for the scripts beside it, which source this: `source toolchain.sh`.
 #
-# It goes to the package's folder; $caller_dir is where the caller was, $target_dir where cargo builds, $scratch a folder of
-# this run.
+# It goes to the package's folder; $caller_dir is where the caller was, $target_dir where cargo builds, $scratch a
+# folder of this run.
 
 fail() {
     echo "${0##*/}: $*" >&2
@@ -67,7 +67,8 @@ cargo_for() {
 build_firmware() {
     local example=$1 target=$2
     shift 2
-    # One codegen unit: otherwise what is inlined, and so what is counted, depends on how the compiler cuts up the crate.
+    # One codegen unit: otherwise what is inlined, and so what is counted, depends on how the compiler cuts up the
+    # crate.
     cargo_for "$target" rustc --config profile.release.codegen-units=1 \
         --features _firmware --example "$example" --message-format json-render-diagnostics "$@" |
         sed -n 's/.*"executable":"\([^"]*\)".*/\1/p' | tail -n 1

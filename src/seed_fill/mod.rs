@@ -44,21 +44,23 @@ pub enum Connectivity {
 ///     . . # # # . .          . . # # # . .
 /// ```
 ///
-/// The stack is the caller's, and may have any size. With more entries, less time: when it is full, what it has no room
-/// for is filled at once by a walk along the region's boundary, which needs no memory. The pixels are the same, down to
-/// a stack without an entry. Nothing but the seed's own colour is ever looked for, so that it makes no difference where the
-/// fill's colour was there before, and two colours are enough. Where both colours are the same there is nothing to do.
+/// The stack is the caller's, and may have any size. With more entries, less time: when it is full, what it has no
+/// room for is filled at once by a walk along the region's boundary, which needs no memory. The pixels are the same,
+/// down to a stack without an entry. Nothing but the seed's own colour is ever looked for, so that it makes no
+/// difference where the fill's colour was there before, and two colours are enough. Where both colours are the same
+/// there is nothing to do.
 ///
 /// # Errors
 ///
-/// [`SeedFillError::Target`] passes the target's error on, at once. [`SeedFillError::Unreadable`] says that a pixel still
-/// had its old colour after it was filled: without that check, there would be no end.
+/// [`SeedFillError::Target`] passes the target's error on, at once. [`SeedFillError::Unreadable`] says that a pixel
+/// still had its old colour after it was filled: without that check, there would be no end.
 ///
 /// # Cost
 ///
-/// 16 bytes an entry; a region whose rows are single runs needs three or four. By spans, each pixel is read some three times, a
-/// run is written by one `fill_solid`. By a walk, each pixel costs some ten readings and is written by itself, and an
-/// island within the region costs a walk around it and one around whatever else the boundary leads past.
+/// 16 bytes an entry; a region whose rows are single runs needs three or four. By spans, each pixel is read some
+/// three times, a run is written by one `fill_solid`. By a walk, each pixel costs some ten readings and is written by
+/// itself, and an island within the region costs a walk around it and one around whatever else the boundary leads
+/// past.
 ///
 /// # Examples
 ///

@@ -10,10 +10,10 @@
 //!     row + dy    . ? ? ? ? ? ? ? ? ? ? .      the next row; and back again only where the run sticks out (c)
 //! ```
 //!
-//! An entry that finds no room is not dropped, but done at once: [`walk`](super::walk::walk) fills whatever open pixels
-//! can be reached from it. Those are part of the region, and whatever else is part of it can still be reached from the
-//! entries that have room. Dropping entries and looking for them later could not be right: a filled pixel looks like one
-//! that had the fill's colour before, and a region that lies next to such a one would be filled, too.
+//! An entry that finds no room is not dropped, but done at once: [`walk`] fills whatever open pixels can be reached
+//! from it. Those are part of the region, and whatever else is part of it can still be reached from the entries that
+//! have room. Dropping entries and looking for them later could not be right: a filled pixel looks like one that had
+//! the fill's colour before, and a region that lies next to such a one would be filled, too.
 
 use core::ops::Range;
 

@@ -12,16 +12,17 @@
 //!     # # # # # # #
 //! ```
 //!
-//! **Exactly.** Say p were filled. It would then be part of some piece W of what is not open, and all neighbours of p would
-//! lie at W's edge. A connected set has one boundary curve with each piece of what is around it (Jordan's theorem, in the
-//! grid: the set 4-connected and its surroundings 8-connected, or the other way round). So p can be spared if and only if
-//! the boundary curve that starts at one of its neighbours, with p to the left, comes past all of them.
+//! **Exactly.** Say p were filled. It would then be part of some piece W of what is not open, and all neighbours of p
+//! would lie at W's edge. A connected set has one boundary curve with each piece of what is around it (Jordan's
+//! theorem, in the grid: the set 4-connected and its surroundings 8-connected, or the other way round). So p can be
+//! spared if and only if the boundary curve that starts at one of its neighbours, with p to the left, comes past all
+//! of them.
 //!
-//! **It ends.** The outer boundary always has a pixel that can be spared. Take a leaf of the graph that the outer walk goes
-//! along: the end of a dead end can be spared. A loop has a topmost and a lowest corner, of which one is not where
-//! the loop hangs on the rest; both of its neighbours lie on the loop, and nothing else can hang on it that the outer
-//! walk would not come past. From the boundary of an island, on which there may be none, the way up
-//! from its topmost pixel leads to a boundary that reaches higher.
+//! **It ends.** The outer boundary always has a pixel that can be spared. Take a leaf of the graph that the outer
+//! walk goes along: the end of a dead end can be spared. A loop has a topmost and a lowest corner, of which one is
+//! not where the loop hangs on the rest; both of its neighbours lie on the loop, and nothing else can hang on it that
+//! the outer walk would not come past. From the boundary of an island, on which there may be none, the way up from
+//! its topmost pixel leads to a boundary that reaches higher.
 
 use super::{Connectivity, FillRegion, SeedFillError, region::Open};
 

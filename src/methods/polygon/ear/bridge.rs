@@ -3,8 +3,9 @@
 use super::rings::{Rings, Role};
 use crate::methods::polygon::Plane;
 
-/// From the rightmost hole to the leftmost: what is to the right of a hole's rightmost corner is the outline by then, and a
-/// corner of it can be seen from there (Eberly 2002). A hole that sees none, because rounding has moved it, is lost.
+/// From the rightmost hole to the leftmost: what is to the right of a hole's rightmost corner is the outline by then,
+/// and a corner of it can be seen from there (Eberly 2002). A hole that sees none, because rounding has moved it, is
+/// lost.
 pub(super) fn join_holes<T: Plane>(rings: &mut Rings<'_, T>) {
     while let Some((hole, outline)) = rightmost_hole(rings) {
         let start = rightmost_corner(rings, hole);

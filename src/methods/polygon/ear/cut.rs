@@ -23,8 +23,8 @@ pub(super) fn cut_ears<T: Plane, S: FragmentSink>(
     Ok(())
 }
 
-/// Around the piece until three corners are left. A round without an ear is one that rounding has made cross itself: then a
-/// corner is cut off whatever it holds, so that there is an end.
+/// Around the piece until three corners are left. A round without an ear is one that rounding has made cross itself:
+/// then a corner is cut off whatever it holds, so that there is an end.
 fn cut_piece<T: Plane, S: FragmentSink>(
     rings: &mut Rings<'_, T>,
     first: usize,

@@ -55,28 +55,46 @@ pub(super) fn slots_for_meetings<T: Plane>(rings: &Rings<'_, T>) -> usize {
     slots
 }
 
-/// Gives edges that meet a vertex there, and lets contours that cross change partners. What crosses only because new vertices are
-/// rounded is seen to as long as there are slots.
+/// Gives edges that meet a vertex there, and lets contours that cross change partners. What crosses only because new
+/// vertices are rounded is seen to as long as there are slots.
 pub(super) fn split_where_edges_meet<T: Plane>(rings: &mut Rings<'_, T>) {
-    let mut first = 0;
-    while first < rings.len() {
-        let mut second = 0;
-        while second < rings.len() {
-            if second != first && rings.has_room_for(2) {
-                split(rings, first, second);
+    for _ in 0..ROUNDS {
+        let before = rings.len();
+        let mut first = 0;
+        while first < rings.len() {
+            let mut second = 0;
+            while second < rings.len() {
+                if second != first && rings.has_room_for(2) {
+                    split(rings, first, second);
+                }
+                second += 1;
             }
-            second += 1;
+            first += 1;
         }
-        first += 1;
+        if rings.len() == before {
+            break;
+        }
     }
-    for first in 0..rings.len() {
-        for second in first + 1..rings.len() {
-            if rings.at(first) == rings.at(second) && cross_at(rings, first, second) {
-                rings.change_partners(first, second);
+    // Where three or more ways cross in one place, a change may leave two others crossing.
+    for _ in 0..ROUNDS {
+        let mut changed = false;
+        for first in 0..rings.len() {
+            for second in first + 1..rings.len() {
+                if rings.at(first) == rings.at(second) && cross_at(rings, first, second) {
+                    rings.change_partners(first, second);
+                    changed = true;
+                }
             }
+        }
+        if !changed {
+            break;
         }
     }
 }
+
+/// Rounding a vertex bends edges by half a unit: what that makes cross is rare, and what rounding its vertices makes
+/// cross, rarer.
+const ROUNDS: usize = 8;
 
 fn split<T: Plane>(rings: &mut Rings<'_, T>, first: usize, second: usize) {
     match meeting(rings, first, second) {
@@ -110,12 +128,14 @@ fn insert<T: Plane>(rings: &mut Rings<'_, T>, after: usize, at: [T; 2]) -> Optio
     Some(corner)
 }
 
-/// Whether the ways through two corners at the same place cross: the second comes from one side of the first and leaves to the other.
+/// Whether the ways through two corners at the same place cross: the second comes from one side of the first and
+/// leaves to the other. Ways that have an edge in common do not.
 fn cross_at<T: Plane>(rings: &Rings<'_, T>, first: usize, second: usize) -> bool {
-    let (from, to) = (rings.at(rings.previous(second)), rings.at(rings.next(second)));
-    let on_the_way = [rings.at(rings.previous(first)), rings.at(rings.next(first)), rings.at(first)];
-    let overlap = |point| on_the_way.iter().any(|other| T::turn(rings.at(first), *other, point) == 0);
-    if on_the_way.contains(&from) || on_the_way.contains(&to) || overlap(from) && overlap(to) {
+    let ends = |corner| [rings.at(rings.previous(corner)), rings.at(rings.next(corner))];
+    let at = rings.at(first);
+    let has_same_direction = |a, b| T::turn(at, a, b) == 0 && !is_between(at, a, b);
+    let [from, to] = ends(second);
+    if ends(first).into_iter().any(|end| has_same_direction(end, from) || has_same_direction(end, to)) {
         return false;
     }
     rings.is_right_of(first, from) != rings.is_right_of(first, to)

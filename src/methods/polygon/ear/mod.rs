@@ -1,11 +1,12 @@
 //! Any polygon as triangles, by cutting off ears.
 //!
-//! G. H. Meisters, "Polygons have ears", The American Mathematical Monthly 82, 1975: a simple polygon of more than three
-//! vertices has two ears, corners whose triangle holds no other vertex. Cut one off, and what is left is a simple polygon. Holes
-//! are first joined to the outline by a cut there and back (D. Eberly, "Triangulation by ear clipping", 2002).
+//! G. H. Meisters, "Polygons have ears", The American Mathematical Monthly 82, 1975: a simple polygon of more than
+//! three vertices has two ears, corners whose triangle holds no other vertex. Cut one off, and what is left is a
+//! simple polygon. Holes are first joined to the outline by a cut there and back (D. Eberly, "Triangulation by ear
+//! clipping", 2002).
 //!
-//! The lecture notes (6.837, lecture 6) say of other polygons: "in some overlapping cases you have to introduce a new vertex". Here
-//! is where:
+//! The lecture notes (6.837, lecture 6) say of other polygons: "in some overlapping cases you have to introduce a new
+//! vertex". Here is where:
 //!
 //! ```text
 //!    a     d          a     d        Where a -> b crosses c -> d, both get a vertex x, and change partners:
@@ -16,8 +17,10 @@
 //!     c   b           c     b
 //! ```
 //!
-//! Then [`nest`] finds which contour lies in which, [`bridge`] joins holes to outlines, and [`cut`] cuts off ears. New vertices are
-//! rounded: the edges bend by half a unit, and a centre that lies so close to one of them may change sides.
+//! Then it is found which contour lies in which (`nest`), holes are joined to outlines (`bridge`), and ears are cut
+//! off (`cut`). New vertices are rounded: the edges bend by half a unit, and a centre that lies so close to one of
+//! them may change sides. Three edges that cross within a unit of each other may be left crossing; then an ear or two
+//! may overlap another.
 
 mod bridge;
 mod cut;
@@ -53,7 +56,8 @@ pub const METHOD: Method = Method {
 ///
 /// # Cost
 ///
-/// A slot a vertex, four for each crossing, and two for each contour. Every pair of edges is looked at, and for every ear all vertices.
+/// A slot a vertex, four for each crossing, and two for each contour. Every pair of edges is looked at, and for every
+/// ear all vertices.
 pub fn fill<T: Plane, S: FragmentSink>(
     contours: &(impl Contours<T> + ?Sized),
     rule: FillRule,

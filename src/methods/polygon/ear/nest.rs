@@ -3,8 +3,8 @@
 use super::rings::{Rings, Role};
 use crate::{methods::polygon::Plane, shape::FillRule};
 
-/// Rings that go nowhere across each other lie within or beside each other: the winding number around a ring is the sum of
-/// the directions of those that it lies in.
+/// Rings that go nowhere across each other lie within or beside each other: the winding number around a ring is the
+/// sum of the directions of those that it lies in.
 ///
 /// ```text
 ///     outside | inside         outlines then go clockwise, holes the other way round:
@@ -57,11 +57,12 @@ fn for_each_ring<T: Plane>(rings: &mut Rings<'_, T>, mut work: impl FnMut(&mut R
     }
 }
 
-/// Where two ways pass through one place, what is filled to the right of one must not hold the other: else they change partners.
+/// Where two ways pass through one place, what is filled to the right of one must not hold the other: else they
+/// change partners.
 ///
 /// ```text
-///      \ /            \ /       A hole (.) that touches the outline in a corner becomes a notch of it; one that touches
-///    ###x###   ->   ###x###     it twice parts the piece. Ears are cut off at corners as if nothing else were there.
+///      \ /            \ /       A hole (.) that touches the outline in a corner becomes a
+///    ###x###   ->   ###x###     notch of it; one that touches it twice parts the piece.
 ///    ##/.\##        ##/.\##
 /// ```
 fn part_where_rings_touch<T: Plane>(rings: &mut Rings<'_, T>) {

@@ -12,8 +12,8 @@ use super::Crossing;
 ///   c >= N / D,   N = (Xlow - 128) dy + (row's centre - Ylow) dx,   D = 256 dy
 /// ```
 ///
-/// One row down adds `256 dx` to N. Quotients are rounded up and carried along with their remainders: nothing is lost. With
-/// `dx` and `dy` of 33 bits, N has 67, remainders have 41.
+/// One row down adds `256 dx` to N. Quotients are rounded up and carried along with their remainders: nothing is
+/// lost. With `dx` and `dy` of 33 bits, N has 67, remainders have 41.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Exact {
     /// The quotient, rounded up.

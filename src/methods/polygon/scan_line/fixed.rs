@@ -6,7 +6,8 @@ use super::Crossing;
 
 /// x and 1/m in 32 bits, `F` of them behind the binary point, as are the vertices; F from 1 to 30.
 ///
-/// 1/m is cut off, so that x lags by up to 2^-F for each row of the edge. Integers wrap: with 16 bits, 32768 pixels away.
+/// 1/m is cut off, so that x lags by up to 2^-F for each row of the edge. Integers wrap: with 16 bits, 32768 pixels
+/// away.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Fixed<const F: u32> {
     x: i32,

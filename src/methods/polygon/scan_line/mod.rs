@@ -1,8 +1,8 @@
 //! Scan lines through an edge table and an active edge table.
 //!
-//! As the lecture notes "Rasterization" have it. The edge table (ET) holds every edge, by the scan line on which it starts: its
-//! `Ymax`, `Xlow` where it starts, and `1/m`, what x grows by from one scan line to the next. The active edge table (AET)
-//! holds those that cross the scan line, by x:
+//! As the lecture notes "Rasterization" have it. The edge table (ET) holds every edge, by the scan line on which it
+//! starts: its `Ymax`, `Xlow` where it starts, and `1/m`, what x grows by from one scan line to the next. The active
+//! edge table (AET) holds those that cross the scan line, by x:
 //!
 //! ```text
 //!   y := the smallest with an entry in the ET; the AET is empty        ET      Ymax | Xlow | 1/m
@@ -15,13 +15,13 @@
 //!
 //! - **Horizontal edges** have no `1/m`. They would be removed by `Ymax = y` on the scan line that they are entered on;
 //!   they are not entered.
-//! - **Vertices on scan lines** belong to the edge below them only, for `Ymax = y` is removed before anything is filled. Kept
-//!   for one scan line more ([`Closed`]), edges meet twice in a vertex that the outline passes through: the pairs go out
-//!   of step, and the rest of the row is filled where it should not be.
+//! - **Vertices on scan lines** belong to the edge below them only, for `Ymax = y` is removed before anything is
+//!   filled. Kept for one scan line more ([`Closed`]), edges meet twice in a vertex that the outline passes through:
+//!   the pairs go out of step, and the rest of the row is filled where it should not be.
 //! - The notes put vertices on whole coordinates, which are pixel centres. With fractions, `Xlow` is taken on the first
 //!   scan line through centres at or below the vertex ([`Edge`]).
-//! - The notes fill between pairs, which is the even-odd rule. The direction of an edge beside the three entries is all that
-//!   the non-zero rule asks for.
+//! - The notes fill between pairs, which is the even-odd rule. The direction of an edge beside the three entries is
+//!   all that the non-zero rule asks for.
 
 mod exact;
 mod fixed;

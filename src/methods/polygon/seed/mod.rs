@@ -1,8 +1,8 @@
 //! Seed fill: draw the outline, choose a pixel inside, grow until the whole polygon is filled.
 //!
-//! As the lecture notes "Rasterization" have it, on a [`Canvas`] that remembers which pixels are closed: boundary, or filled.
-//! Each fill sends the outline first. What that touches belongs to the picture, which is half a pixel too large; a polygon that crosses
-//! itself has more than one inside, of which one seed finds one.
+//! As the lecture notes "Rasterization" have it, on a [`Canvas`] that remembers which pixels are closed: boundary, or
+//! filled. Each fill sends the outline first. What that touches belongs to the picture, which is half a pixel too
+//! large; a polygon that crosses itself has more than one inside, of which one seed finds one.
 //!
 //! ```text
 //!     . # # # # .       An outline as thin as a line has diagonal gaps (/): what grows by sides (o)

@@ -5,11 +5,11 @@ use core::ops::Range;
 use super::{Canvas, Touch};
 use crate::{geometry::PixelRect, methods::polygon::Contours, shape::FillRule};
 
-/// Closes the pixels of the edges of contours in 1/256 pixel: lines from the pixel of one vertex to that of the next, as
-/// Bresenham's, with their steps taken by quotient and remainder.
+/// Closes the pixels of the edges of contours in 1/256 pixel: lines from the pixel of one vertex to that of the next,
+/// as Bresenham's, with their steps taken by quotient and remainder.
 ///
-/// Where they change rows (or columns, if steep), a fill by corners would get through: against [`Touch::Corners`], the pixel beside
-/// the step is closed, too.
+/// Where they change rows (or columns, if steep), a fill by corners would get through: against [`Touch::Corners`],
+/// the pixel beside the step is closed, too.
 pub fn draw(contours: &(impl Contours<i32> + ?Sized), against: Touch, canvas: &mut Canvas<'_>) {
     for edge in contours.edges() {
         let [a, b] = edge.map(|vertex| vertex.map(|coordinate| coordinate >> 8));

@@ -12,8 +12,9 @@ pub struct Return(u8);
 
 /// `fill(x, y) { if (open(x, y)) { set(x, y); fill(x + 1, y); fill(x, y + 1); fill(x - 1, y); fill(x, y - 1); } }`
 ///
-/// The pixel that called is the one that the way back leads to, so that a byte is all that a call leaves on the stack. Calls nest
-/// as deep as the region has pixels, at worst and in practice: an empty screen is one snake of them.
+/// The pixel that called is the one that the way back leads to, so that a byte is all that a call leaves on the
+/// stack. Calls nest as deep as the region has pixels, at worst and in practice: an empty screen is one snake of
+/// them.
 ///
 /// # Errors
 ///

@@ -14,12 +14,14 @@ use crate::{
 pub enum Marker<'c, 'w> {
     /// A colour that nothing else has: closed in this canvas.
     Colour(&'c mut Canvas<'w>),
-    /// Nothing: what is closed may have been filled. Where an open pixel outside of the outline touches that, the fill gets out.
+    /// Nothing: what is closed may have been filled. Where an open pixel outside of the outline touches that, the
+    /// fill gets out.
     Nothing,
 }
 
-/// Heckbert's fill, neighbours by sides. When the stack is empty and something was dropped, the box of what was filled is searched for
-/// an open pixel next to a filled one, and the fill goes on from there. Each search finds a pixel or is the last.
+/// Heckbert's fill, neighbours by sides. When the stack is empty and something was dropped, the box of what was
+/// filled is searched for an open pixel next to a filled one, and the fill goes on from there. Each search finds a
+/// pixel or is the last.
 ///
 /// # Errors
 ///
