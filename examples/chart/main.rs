@@ -93,16 +93,13 @@ fn main() -> Done {
         if does(Step::Times) {
             fs::write(file("times.csv"), times(suites, &progress)?)?;
         }
-    }
-    progress.finish_and_clear();
-    if does(Step::Charts) {
-        for (family, suites) in &families {
+        if does(Step::Charts) {
             for (name, svg) in marks::charts(family, suites, &cli.out)? {
                 fs::write(cli.out.join(&name), svg)?;
-                println!("{}", cli.out.join(name).display());
             }
         }
     }
+    progress.finish_and_clear();
     Ok(())
 }
 
