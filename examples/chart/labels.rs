@@ -33,6 +33,13 @@ impl Labels {
         self.taken.push(place);
     }
 
+    /// Keeps an upright or level line free.
+    pub(crate) fn keep_off(&mut self, from: (i32, i32), to: (i32, i32)) {
+        let (left, right) = (from.0.min(to.0) - 3, from.0.max(to.0) + 3);
+        let (top, bottom) = (from.1.min(to.1) - 2, from.1.max(to.1) + 2);
+        self.taken.push(Place { left, top, right, bottom, is_far: false });
+    }
+
     /// Finds the nearest free place for a name.
     pub(crate) fn add(&mut self, index: usize, at: (i32, i32), width: i32) {
         let mut places = candidates(at, width);
@@ -63,14 +70,14 @@ fn candidates((x, y): (i32, i32), width: i32) -> Vec<(Place, i32)> {
         for shift in 0..=12_i32 {
             let dy = step * 8;
             for is_left in [false, true] {
-                let gap = 9 + shift * 16;
+                let gap = 12 + shift * 16;
                 let left = if is_left { x - gap - width } else { x + gap };
                 let is_far = step.abs() > 1 || shift > 0;
                 let top = y + dy - HEIGHT / 2;
                 let place = Place { left, top, right: left + width, bottom: top + HEIGHT, is_far };
                 places.push((
                     place,
-                    dy.abs() * 2 + (gap - 9) * 2 + if is_left { 7 } else { 0 } + if is_far { 12 } else { 0 },
+                    dy.abs() * 2 + (gap - 12) * 2 + if is_left { 7 } else { 0 } + if is_far { 12 } else { 0 },
                 ));
             }
         }

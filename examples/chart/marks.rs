@@ -29,7 +29,7 @@ pub(crate) fn charts(family: &str, suites: &[Suite], folder: &Path) -> Result<Ve
     for (part, aim) in &kinds {
         let name = if part.is_empty() { aim.name() } else { part };
         let suffix = if kinds.len() > 1 { format!("-{name}") } else { String::new() };
-        let title = if kinds.len() > 1 { format!("{family}, {name}") } else { family.into() };
+        let title = if kinds.len() > 1 && name != family { format!("{family}, {name}") } else { family.into() };
         let suites: Vec<&Suite> = suites.iter().filter(|suite| suite.part == *part).collect();
         let suites = &suites[..];
         let nanoseconds = |entry: &Entry, scene: &str| number(&times, entry, scene, TIMES.len() - 1);

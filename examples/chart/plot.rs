@@ -151,18 +151,22 @@ impl Plot {
         Ok(())
     }
 
-    /// From the left, what nothing cheaper or as cheap betters.
-    fn draw_front(&self, canvas: &Canvas<'_>, marks: &[Mark]) -> Drawn {
-        let front = pareto_front(marks);
+    /// From the left, what nothing cheaper or as cheap betters: across, and then down.
+    fn front_path(&self, marks: &[Mark]) -> Vec<(i32, i32)> {
         let mut path: Vec<(i32, i32)> = Vec::new();
-        for &index in &front {
+        for &index in &pareto_front(marks) {
             let (x, y) = self.at[index];
             if let Some(&(_, last)) = path.last() {
                 path.push((x, last));
             }
             path.push((x, y));
         }
-        canvas.draw(&PathElement::new(path, ShapeStyle { color: FRONT.to_rgba(), filled: false, stroke_width: 5 }))?;
+        path
+    }
+
+    fn draw_front(&self, canvas: &Canvas<'_>, marks: &[Mark]) -> Drawn {
+        let style = ShapeStyle { color: FRONT.to_rgba(), filled: false, stroke_width: 4 };
+        canvas.draw(&PathElement::new(self.front_path(marks), style))?;
         Ok(())
     }
 
@@ -180,6 +184,9 @@ impl Plot {
         let mut labels = Labels::new((LEFT + 2, TOP - 4), (WIDTH - 4, self.band.0 - 2));
         for &(x, y) in &self.at {
             labels.occupy((x, y), RADIUS + 2);
+        }
+        for ends in self.front_path(marks).windows(2) {
+            labels.keep_off(ends[0], ends[1]);
         }
         for index in (0..marks.len()).filter(|&index| marks[index].error > 0.0) {
             let width = text_width(&label(&marks[index]));
