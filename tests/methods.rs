@@ -32,7 +32,6 @@ mod scenes;
 #[path = "../examples/methods/stability/mod.rs"]
 mod stability;
 #[path = "../examples/methods/variants/mod.rs"]
-#[allow(unreachable_pub, reason = "it is a library in itself")]
 mod variants;
 
 use std::{

@@ -19,7 +19,6 @@ mod random;
 mod scenes;
 mod timing;
 #[path = "../methods/variants/mod.rs"]
-#[allow(unreachable_pub, reason = "it is a library in itself")]
 mod variants;
 
 use std::{

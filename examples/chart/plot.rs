@@ -256,7 +256,8 @@ pub(crate) fn pareto_front(marks: &[Mark]) -> Vec<usize> {
 
 /// Marks of one method whose options differ in their last number alone, in the order of that number; three or more.
 fn curves(marks: &[Mark]) -> Vec<Vec<usize>> {
-    let mut curves: Vec<((&str, String), Vec<(f64, usize)>)> = Vec::new();
+    type Curve<'a> = ((&'a str, String), Vec<(f64, usize)>);
+    let mut curves: Vec<Curve<'_>> = Vec::new();
     for (index, mark) in marks.iter().enumerate() {
         let Some((rest, number)) = split_number(&mark.option) else { continue };
         let key = (mark.method.as_str(), rest);

@@ -19,7 +19,6 @@ mod random;
 #[path = "../methods/scenes.rs"]
 mod scenes;
 #[path = "../methods/variants/mod.rs"]
-#[allow(unreachable_pub, reason = "it is a library in itself")]
 mod variants;
 
 use std::{error::Error, fs, path::PathBuf};

@@ -222,8 +222,8 @@ fn specks() -> Vec<Scene<Specks>> {
         name,
         shapes: vec![Specks((0..triangles).map(|index| scenes::speck(square, index).map(vertex)).collect())],
     });
-    let gallery = (0..242).map(|index| {
-        let [column, row] = [index / 2 % 11, index / 2 / 11].map(|at| at as i32);
+    let gallery = (0..242_i32).map(|index| {
+        let [column, row] = [index / 2 % 11, index / 2 / 11];
         let at = |x: i32, y: i32| vertex([200 + x * 250 + x * x * 13 + y * 27, 190 + y * 240 + y * y * 9 - x * 13]);
         let [a, b] = [at(column, row), at(column + 1, row + 1)];
         [a, b, if index % 2 == 0 { at(column + 1, row) } else { at(column, row + 1) }]

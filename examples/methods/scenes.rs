@@ -75,7 +75,7 @@ pub(crate) fn mesh(scene: &str, index: usize) -> [[Point; 3]; MESH_TRIANGLES] {
         // Up and down between two lines, half a pixel on at each step.
         let place = |at: usize, jitter: i32| {
             let x = middle[0] + at as i32 * ONE / 2 + jitter;
-            if at % 2 == 0 { [x, middle[1] - 40 * ONE] } else { [x, middle[1] + 40 * ONE + jitter] }
+            if at.is_multiple_of(2) { [x, middle[1] - 40 * ONE] } else { [x, middle[1] + 40 * ONE + jitter] }
         };
         let jitters: [i32; MESH_TRIANGLES + 2] = core::array::from_fn(|_| random.below(64));
         return core::array::from_fn(|at| [0, 1, 2].map(|corner| place(at + corner, jitters[at + corner])));
@@ -92,7 +92,7 @@ pub(crate) fn mesh(scene: &str, index: usize) -> [[Point; 3]; MESH_TRIANGLES] {
     core::array::from_fn(|at| {
         let (row, column) = (at / 8, at / 2 % 4);
         let [a, b] = [vertices[row][column], vertices[row + 1][column + 1]];
-        if at % 2 == 0 { [a, b, vertices[row][column + 1]] } else { [a, b, vertices[row + 1][column]] }
+        if at.is_multiple_of(2) { [a, b, vertices[row][column + 1]] } else { [a, b, vertices[row + 1][column]] }
     })
 }
 
@@ -116,7 +116,7 @@ pub(crate) fn line(scene: &str, index: usize) -> [Point; 2] {
     if scene == "nearly level" {
         // A slope of at most 1/20, in either direction, level or steep.
         let [dx, dy] = [b[0] - a[0], (b[1] - a[1]) / 20];
-        b = if index % 2 == 0 { [a[0] + dx, a[1] + dy] } else { [a[0] + dy, a[1] + dx] };
+        b = if index.is_multiple_of(2) { [a[0] + dx, a[1] + dy] } else { [a[0] + dy, a[1] + dx] };
     }
     [a, b].map(|end| end.map(|at| at >> 8))
 }
@@ -167,7 +167,7 @@ pub(crate) fn speck(square: i32, index: usize) -> [Point; 3] {
     };
     let (row, column) = (index / 2 / SPECKS_ACROSS, index / 2 % SPECKS_ACROSS);
     let [a, b] = [corner(row, column), corner(row + 1, column + 1)];
-    if index % 2 == 0 { [a, b, corner(row, column + 1)] } else { [a, b, corner(row + 1, column)] }
+    if index.is_multiple_of(2) { [a, b, corner(row, column + 1)] } else { [a, b, corner(row + 1, column)] }
 }
 
 /// The scenes of polygons that are made here; real drawings come on top.
@@ -198,7 +198,7 @@ pub(crate) fn polygon(scene: &str, index: usize, vertices: &mut [Point; MOST_VER
             corner.map(|px| px * ONE + random.below(box_px * ONE))
         } else {
             // Around the middle of the box, in turn far and near.
-            let least = if at % 2 == 0 { 70 } else { 30 };
+            let least = if at.is_multiple_of(2) { 70 } else { 30 };
             let radius = box_px * ONE / 2 * (least + random.below(30)) / 100;
             let [cos, sin] = direction(at * 64 / count);
             [

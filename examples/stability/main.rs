@@ -15,7 +15,6 @@ mod scenes;
 #[path = "../methods/stability/mod.rs"]
 mod stability;
 #[path = "../methods/variants/mod.rs"]
-#[allow(unreachable_pub, reason = "it is a library in itself")]
 mod variants;
 
 use std::{error::Error, fs, path::PathBuf};

@@ -80,6 +80,7 @@ impl Entry {
     }
 }
 
+type OutlineOf = Box<dyn Fn(usize, usize) -> Vec<Vec<(f64, f64)>> + Send + Sync>;
 type Truths = Vec<Vec<[OnceLock<Box<Truth>>; AIMS]>>;
 const AIMS: usize = 6;
 
@@ -92,7 +93,7 @@ pub(crate) struct Suite {
     pub(crate) scenes: Vec<(&'static str, usize)>,
     truths: Truths,
     truth: Box<dyn Fn(usize, usize, Aim) -> Truth + Send + Sync>,
-    outline: Box<dyn Fn(usize, usize) -> Vec<Vec<(f64, f64)>> + Send + Sync>,
+    outline: OutlineOf,
 }
 
 impl fmt::Debug for Suite {

@@ -46,7 +46,7 @@ fn suite() -> Suite {
         let mut vertices = [[0; 2]; scenes::MOST_VERTICES];
         let count = scenes::polygon("self-intersecting", index, &mut vertices);
         let contour: &'static [Vertex] = Vec::leak(vertices[..count].iter().copied().map(vertex).collect());
-        let rule = if index % 2 == 0 { spanfill::FillRule::NonZero } else { spanfill::FillRule::EvenOdd };
+        let rule = if index.is_multiple_of(2) { spanfill::FillRule::NonZero } else { spanfill::FillRule::EvenOdd };
         Smooth::Polygon(Vec::leak(vec![contour]), rule)
     };
     let triangles =

@@ -19,7 +19,8 @@ pub(crate) use report::Report;
 pub(crate) fn report(mut progress: impl FnMut(&str)) -> Report {
     let mut report = Report::default();
     report.text.push_str(HEAD);
-    let parts: [(&str, fn(&mut Report)); 9] = [
+    type Part = fn(&mut Report);
+    let parts: [(&str, Part); 9] = [
         ("triangles", triangles::report),
         ("shared edges", shared::report),
         ("attributes", attributes::report),

@@ -62,7 +62,7 @@ fn levels(index: u64) -> Outline {
         contour.push(centre(x, top));
         x += 1 + random.below(6);
         contour.push(centre(x, top));
-        if index % 2 == 0 {
+        if index.is_multiple_of(2) {
             // A tooth's gap, down to a level of its own.
             let floor = bottom - random.below(2);
             contour.push(centre(x, floor));
@@ -71,14 +71,14 @@ fn levels(index: u64) -> Outline {
         }
     }
     contour.push(centre(x, bottom));
-    outline(vec![contour], index % 3 == 0)
+    outline(vec![contour], index.is_multiple_of(3))
 }
 
 /// A diamond, or two triangles that meet in a point.
 fn gaps(index: u64) -> Outline {
     let mut random = Random::new(0x6A95 + index);
     let (x, y, size) = (60 + random.below(180), 60 + random.below(100), 4 + random.below(30));
-    let contour = if index % 2 == 0 {
+    let contour = if index.is_multiple_of(2) {
         vec![centre(x, y - size), centre(x + size, y), centre(x, y + size), centre(x - size, y)]
     } else {
         vec![
