@@ -29,7 +29,6 @@ pub(crate) use runs::Runs;
 pub(crate) use samples::Supersampler;
 pub use samples::{SampleCell, Samples};
 pub(crate) use steepness::Steepness;
-pub(crate) use stepper::Stepper;
 pub(crate) use straight::{Side as StraightSide, Straight, send_straight};
 
 use crate::span::Span;
