@@ -144,7 +144,7 @@ impl Picture {
             }
             Self::SmoothStar => {
                 let star = star();
-                match Polygon::new(&star).coverage_with::<16, 64>() {
+                match Polygon::new(&star).coverage_with::<16>() {
                     Ok(star) => star.antialiased(COLOUR, over).draw(target),
                     Err(_) => Ok(()),
                 }
