@@ -56,9 +56,17 @@
 //!
 //! A pixel's coverage is the exact area of the shape within it, rounded once to 255ths, by the fill rule where contours
 //! overlap. Shapes that share an edge share the area of each pixel. A line covers the rectangle of width 1 around it,
-//! and a circle may be off by 1/255 before it is rounded. What that makes of a colour is up to the [`Blend`]: [`Over`]
-//! a known background, [`ReadBack`] of what a framebuffer shows, [`InPlace`] in its memory, [`Dither`] for few colours, [`Linear`] to mix as light
-//! adds up.
+//! and a circle may be off by 1/255 before it is rounded.
+//!
+//! What that makes of a colour is up to the [`Blend`]:
+//!
+//! | target | [`Blend`] |
+//! |---|---|
+//! | cannot be read, background known | [`Over`] |
+//! | can be read | [`ReadBack`] |
+//! | in memory | [`InPlace`]: the same pixels in less time |
+//! | few colours | [`Dither`] |
+//! | any of the first three, mixed as light adds up | [`Linear`] around it |
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray4, prelude::*};
@@ -78,14 +86,33 @@
 //! # Ok::<(), core::convert::Infallible>(())
 //! ```
 //!
-//! # embedded-graphics' own primitives
+//! # Polygons, paths and strokes
 //!
-//! With the feature `embedded-graphics`, `spanfill::eg::Style` takes the place of `PrimitiveStyle`.
+//! A [`Polygon`] works in scratch that is lent ([`Polygon::in_scratch`], [`Polygon::coverage_in`]) or on the stack
+//! ([`Polygon::with_capacity`], [`Polygon::coverage_with`]); constants tell how much it needs. A [`Path`], a [`Stroke`]
+//! or any other [`Outline`] becomes one by [`collect`].
+//!
+//! # What varies
+//!
+//! [`Painting::painted`] gives a shape a [`Paint`]: a gradient, a pattern, or your own. [`Attributes`] interpolate across
+//! triangles: [`Gouraud`] colours, [`Affine`] and [`Perspective`] values, depth ([`DepthTested`]), a [`Texture`]. A
+//! [`Mosaic`] draws neighbours without a seam, and [`splat`] points in place of triangles.
+//!
+//! # Memory
+//!
+//! A [`Framebuffer`] holds a screen as the display takes it, [`Bands`] a few of its rows, and [`Damage`] what has
+//! changed. `draw_on` fills their memory where a shape is walked.
+//!
+//! # Features
+//!
+//! - `embedded-graphics`: `spanfill::eg::Style` takes the place of `PrimitiveStyle` on embedded-graphics' own
+//!   primitives.
+//! - `methods`: `spanfill::methods`, the methods of the literature, to be drawn, timed and compared.
 //!
 //! # Off the screen
 //!
-//! Nothing off the screen is ever sent, or costs more than finding out that it is; nothing is an error but too little
-//! scratch for a polygon, which is found before anything is drawn.
+//! Nothing off the screen is ever sent, or costs more than finding out that it is. Shapes have no errors but too little
+//! scratch for a polygon, which is found before anything is drawn, and the target's own.
 
 #![no_std]
 #![forbid(unsafe_code)]

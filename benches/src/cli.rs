@@ -14,7 +14,7 @@ use crate::{row::scene_from, scenes::Scene, variant::Variant};
 ///
 /// Paths are relative to where you are; from the repository's root, everything that is kept is renewed by
 ///
-///   cargo run --release --manifest-path benches/Cargo.toml -- --csv --readme README.md \
+///   cargo run --release --manifest-path benches/Cargo.toml -- --csv --readme docs/PERFORMANCE.md \
 ///     --chart docs/speed.svg --chart-aa docs/accuracy.svg
 #[derive(Debug, Parser)]
 #[command(name = "spanfill-benches", version, max_term_width = 110, args_conflicts_with_subcommands = true)]

@@ -1,10 +1,10 @@
-//! Keeps a README's figures those of a run.
+//! Keeps a document's figures those of a run.
 
 use std::{fs, path::Path};
 
 use crate::save;
 
-/// Two lines of a README, each of which is there once, and what stands between them is replaced.
+/// Two lines of a document, each of which is there once, and what stands between them is replaced.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Markers {
     begin: &'static str,

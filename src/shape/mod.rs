@@ -68,7 +68,7 @@ pub trait Shape {
 /// ```
 ///
 /// For triangles, polygons and lines, the area is exact: coverage is off by at most 0.5, and by what is stated in
-/// `docs/DESIGN.md` about many tall edges in one pixel, less than 0.01 for anything usual. That holds for contours that
+/// `docs/NUMERICS.md` about many tall edges in one pixel, less than 0.01 for anything usual. That holds for contours that
 /// overlap or cross inside a pixel, too. Circles are within 1.5. Supersampled shapes count samples in place of areas.
 pub trait Cover {
     /// A rectangle outside which the shape covers nothing of any pixel.

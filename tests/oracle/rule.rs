@@ -1,4 +1,4 @@
-//! Which pixels belong to a shape: `docs/DESIGN.md`, "The rule for pixels", one pixel at a time.
+//! Which pixels belong to a shape: `docs/NUMERICS.md`, "The pixel rule", one pixel at a time.
 //!
 //! Everything is in sub-pixels, 256 to the pixel: coordinates have 32 bits, pixel centres 40 (a pixel's number is any
 //! `i32`), their differences 41, all in an `i64`; products go to an `i128`. Nothing is divided and nothing is rounded.
