@@ -144,20 +144,29 @@ impl<'a> Contours<'a> {
         let mut index = 0;
         while index < self.len() {
             let contour = self.contour(index);
-            // Once around to know how the contour arrives, once more to count.
+            let last = contour.len().saturating_sub(1);
+            // How the contour arrives at its last vertex: by its last edge that is not flat.
             let (mut goes_down, mut meets) = (false, false);
-            let mut step = 0;
-            while step < 2 * contour.len() {
-                let from = vertex_at(contour, step % contour.len()).y.to_bits();
-                let to = vertex_at(contour, (step + 1) % contour.len()).y.to_bits();
-                if from != to {
-                    let (top, bottom) = if from < to { (from, to) } else { (to, from) };
-                    let meets_row = top >> SUBPIXEL_BITS <= row && (bottom - 1) >> SUBPIXEL_BITS >= row;
-                    let goes_on = meets && goes_down == (from < to);
-                    chains += (step >= contour.len() && meets_row && !goes_on) as usize;
-                    (goes_down, meets) = (from < to, meets_row);
+            let mut from = vertex_at(contour, last).y.to_bits();
+            let mut before = last;
+            while before > 0 {
+                before -= 1;
+                let y = vertex_at(contour, before).y.to_bits();
+                if y != from {
+                    (goes_down, meets) = (y < from, meets_row(y, from, row));
+                    break;
                 }
-                step += 1;
+            }
+            let mut vertex = 0;
+            while vertex < contour.len() {
+                let to = vertex_at(contour, vertex).y.to_bits();
+                if from != to {
+                    let meets_now = meets_row(from, to, row);
+                    chains += (meets_now && !(meets && goes_down == (from < to))) as usize;
+                    (goes_down, meets) = (from < to, meets_now);
+                }
+                from = to;
+                vertex += 1;
             }
             index += 1;
         }
@@ -199,6 +208,13 @@ impl<'a> Contours<'a> {
         }
         chains
     }
+}
+
+/// Whether an edge between two heights has a part in a row of pixels.
+#[inline(always)]
+const fn meets_row(a: i32, b: i32, row: i32) -> bool {
+    let (top, bottom) = if a < b { (a, b) } else { (b, a) };
+    top >> SUBPIXEL_BITS <= row && (bottom - 1) >> SUBPIXEL_BITS >= row
 }
 
 #[inline(always)]

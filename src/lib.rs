@@ -7,7 +7,7 @@
 //!
 //! ```text
 //! Shape -clip-> Edge -one step a row-> Span, or a block of equal rows -> colour -> DrawTarget::fill_solid
-//! Cover -clip-> edges and cells -a row of pixels-> Span, run of coverage -> Blend -> fill_solid, fill_contiguous
+//! Cover -clip-> chains of edges -a row of pixels-> Span, run of coverage -> Blend -> fill_solid, fill_contiguous
 //!
 //! limits · subpixel · geometry, fragment · contours · angle · turn · outline · path, stroke · edge · span, error
 //! · coverage · area · shape, target · primitive, collected · blend · draw · seed_fill · attribute · paint, splat
@@ -177,7 +177,7 @@ pub use attribute::{
 pub use band::{Band, Bands, FrameError, Parts, Transfer, Transmit};
 pub use blend::{Blend, Dither, InPlace, Linear, Mix, MixLinear, Over, ReadBack};
 pub use collected::{TooFewVertices, collect};
-pub use coverage::{Cell, CoverageSink, SampleCell, Samples};
+pub use coverage::{CoverageSink, SampleCell, Samples};
 pub use damage::Damage;
 pub use draw::{AntiAlias, AntiAliased, Fill, Filled};
 pub use error::{TooLittleScratch, TooManyEdges};

@@ -28,23 +28,20 @@ use crate::{
 /// caller ([`in_scratch`](Self::in_scratch)) or on the stack ([`with_capacity`](Self::with_capacity)). A constant
 /// outline says how much at compile time.
 ///
-/// Anti-aliased, it needs edges that cross the same row of 1/256 pixel, and cells to add up coverage in, from the
-/// caller ([`coverage_in`](Self::coverage_in)) or on the stack ([`coverage_with`](Self::coverage_with)). A pixel is
-/// covered by the exact area within it, by the fill rule where contours overlap. With fewer cells than the clip has
-/// columns, the polygon is drawn in vertical strips of as many columns, one after the other, and the coverage is the
-/// same.
+/// Anti-aliased, it needs a slot for each chain of edges that has a part in the same row of pixels, from the caller
+/// ([`coverage_in`](Self::coverage_in)) or on the stack ([`coverage_with`](Self::coverage_with)). A pixel is covered by the
+/// exact area within it, by the fill rule where contours overlap.
 ///
 /// # Errors
 ///
-/// Too little scratch is found before anything is drawn: [`TooManyEdges`] names what is needed, as does
-/// [`TooLittleScratch`](crate::TooLittleScratch) where cells are lent.
+/// Too little scratch is found before anything is drawn: [`TooManyEdges`] names what is needed.
 ///
 /// # Cost
 ///
 /// One division an edge, then an addition and a subtraction for each edge and visible row. A pass over the vertices at the start,
 /// and, when there is just scratch for the active edges, one for each row on which contours turn down; two slots for each of
-/// those save that. 32 bytes a slot. Anti-aliased, five divisions an edge (two where words have 64 bits), 36 bytes a slot,
-/// 4 a cell, and the whole once for each strip.
+/// those save that. 32 bytes a slot. Anti-aliased, a division for each edge that leaves a row of pixels and for each that
+/// leaves a column, 80 bytes a slot.
 ///
 /// # Examples
 ///
@@ -65,7 +62,7 @@ use crate::{
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 ///
-/// The same with anti-aliasing, in strips of 64 columns:
+/// The same with anti-aliasing:
 ///
 /// ```
 /// # use embedded_graphics::prelude::*;
