@@ -2,7 +2,6 @@
 //! wrong is written down in `tests/methods/polygon.txt`. `BLESS=1` writes it anew.
 
 mod oracle;
-#[allow(unreachable_pub, missing_debug_implementations, reason = "shared with examples and firmware")]
 #[path = "../examples/methods/variants/mod.rs"]
 mod variants;
 

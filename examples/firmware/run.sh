@@ -25,6 +25,10 @@ Commands:
                      colour, texture or depth varies. The CSV rows follow the table, or go to OUT.
   cube3d             Runs `cube3d_cycles` on an emulated Cortex-M4: instructions a frame of examples/cube3d.
   frame              Runs `frame_cycles` on the same: what the crate's framebuffers cost, in instructions.
+  methods [--csv OUT]
+                     Runs `methods` on an emulated Cortex-M4, with and without its float unit: instructions by each
+                     method of the literature, as CSV rows, which go to OUT. Takes some minutes. For the charts:
+                     run.sh methods --csv docs/charts/cortex-m4.csv
 
 Environment:
   SPANFILL_TOOLCHAIN   `rustup`: the toolchain in use, with rustup's targets, which are added where they are missing.
@@ -50,6 +54,7 @@ build_everything() {
     done
     build_oled >/dev/null
     build_cycles >/dev/null
+    build_firmware methods thumbv7em-none-eabi --features methods >/dev/null
     build_cycles_aa >/dev/null
     build_firmware attributes thumbv7em-none-eabi >/dev/null
     build_firmware cube3d_cycles thumbv7em-none-eabi >/dev/null
@@ -227,6 +232,35 @@ run_cube3d() {
     cat "$scratch/said"
 }
 
+run_methods() {
+    local csv=
+    while (($#)); do
+        case $1 in
+        --csv) csv=$(in_caller_dir "${2:?--csv needs the name of a file}") ;;
+        *) fail "methods does not know '$1'; see --help" ;;
+        esac
+        shift 2
+    done
+    need qemu-system-arm qemu-system-arm
+    # One compiler for both: otherwise the charts compare compilers.
+    if [[ -z ${SPANFILL_TOOLCHAIN:-} ]]; then
+        SPANFILL_TOOLCHAIN=debian
+        if rustup_provides thumbv7em-none-eabi && rustup_provides thumbv7em-none-eabihf; then SPANFILL_TOOLCHAIN=rustup; fi
+    fi
+    local target elf
+    for target in thumbv7em-none-eabi thumbv7em-none-eabihf; do
+        elf=$(build_firmware methods "$target" --features methods)
+        [[ -n $elf ]] || fail "methods was not built for $target"
+        echo "run.sh: counting on $target" >&2
+        timeout 1800 qemu-system-arm -machine mps2-an386 -icount shift=0 -nographic \
+            -semihosting-config enable=on,target=native -kernel "$elf" </dev/null >"$scratch/said" ||
+            fail "the firmware failed: $(tail -n 5 "$scratch/said")"
+        # The second table goes on where the first ends.
+        if [[ -s $scratch/counts ]]; then sed 1d "$scratch/said"; else cat "$scratch/said"; fi >>"$scratch/counts"
+    done
+    if [[ -n $csv ]]; then cat "$scratch/counts" >"$csv"; else cat "$scratch/counts"; fi
+}
+
 # put_table_into FILE NAME: replaces what stands between its two markers of that name.
 put_table_into() {
     local begin="<!-- $2:begin -->" end="<!-- $2:end -->"
@@ -248,7 +282,7 @@ case $command in
     usage
     exit
     ;;
-build | oled | cycles | cycles_aa | attributes | cube3d | frame) ;;
+build | oled | cycles | cycles_aa | attributes | cube3d | frame | methods) ;;
 *) fail "there is no '$command'; see --help" ;;
 esac
 
@@ -263,4 +297,5 @@ cycles | cycles_aa) run_cycles "$command" "$@" ;;
 attributes) run_attributes "$@" ;;
 cube3d) run_cube3d ;;
 frame) run_frame ;;
+methods) run_methods "$@" ;;
 esac

@@ -10,7 +10,6 @@
 mod size_methods;
 mod size_stack;
 #[path = "../methods/variants/mod.rs"]
-#[allow(unreachable_pub, missing_debug_implementations, reason = "shared with host programs")]
 mod variants;
 
 use core::{convert::Infallible, hint::black_box, panic::PanicInfo};

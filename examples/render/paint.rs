@@ -75,7 +75,7 @@ pub(crate) fn paint<C: Mix + From<Rgb888>>(
     let mut brush = Brush { colour: C::from(item.colour), opacity: item.opacity, window };
     let samples = match aa {
         Aa::None => return without_anti_aliasing(item, &mut brush, scratch),
-        Aa::Exact => return by_area(item, &mut brush, scratch, columns),
+        Aa::Exact => return by_area(item, &mut brush, scratch),
         Aa::Four => Samples::grid(4),
         Aa::Sixteen => Samples::grid(16),
         Aa::Weighted => Samples::WEIGHTED,
@@ -126,7 +126,6 @@ fn by_area<C: Mix>(
     item: &Item,
     brush: &mut Brush<'_, '_, C>,
     scratch: &mut Scratch,
-    columns: usize,
 ) -> Result<(), Box<dyn std::error::Error>> {
     match &item.outline {
         Outline::Triangle([a, b, c]) => brush.blend(Triangle::new(*a, *b, *c)),

@@ -35,6 +35,9 @@ pub(crate) const FULL: i32 = 1 << 24;
 /// How many columns a window has: as many as a word has bits.
 pub(crate) const WINDOW: usize = usize::BITS as usize;
 
+/// The same, as a column.
+pub(crate) const WINDOW_COLUMNS: i32 = usize::BITS.cast_signed();
+
 /// How far a segment goes down over a distance along x, `(distance * factor) >> shift` for distances in 2^-16 pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Steepness {
@@ -117,7 +120,7 @@ impl Accumulator {
         let column = column_of(x0);
         let index = column.wrapping_sub(self.left).cast_unsigned();
         let dy = dy << (CELL_BITS - FINE_BITS);
-        if column == column_of(x1) && index < WINDOW as u32 {
+        if column == column_of(x1) && index < usize::BITS {
             self.within_column(index as usize, within(x0) + within(x1), dy, weight);
         } else {
             self.outside_or_wide(x0.min(x1), x0.max(x1), dy, weight, steepness);
@@ -139,16 +142,15 @@ impl Accumulator {
     fn outside_or_wide(&mut self, x0: i64, x1: i64, dy: i32, weight: i32, steepness: impl FnOnce() -> Steepness) {
         let (first, last) = (column_of(x0).wrapping_sub(self.left), column_of(x1).wrapping_sub(self.left));
         if last < 0 {
-            self.to_the_left(dy, weight);
-        } else if first < WINDOW as i32 {
+            self.add_to_the_left(dy, weight);
+        } else if first < WINDOW_COLUMNS {
             self.wide(x0, x1, dy, weight, steepness());
         }
     }
 
-    fn to_the_left(&mut self, dy: i32, weight: i32) {
-        if let [first, ..] = &mut self.differences {
-            *first = first.wrapping_add((dy << 4).wrapping_mul(weight));
-        }
+    fn add_to_the_left(&mut self, dy: i32, weight: i32) {
+        let [first, ..] = &mut self.differences;
+        *first = first.wrapping_add((dy << 4).wrapping_mul(weight));
         self.touched |= 1;
     }
 
@@ -162,18 +164,18 @@ impl Accumulator {
         let mut product = steepness.over(boundary.wrapping_sub(x0).cast_unsigned());
         if column < 0 {
             gone = steepness.height(product).min(dy);
-            self.to_the_left(gone, weight);
+            self.add_to_the_left(gone, weight);
             product = product.wrapping_add(per_column);
             (column, x) = (0, 0);
         }
-        while column < last.min(WINDOW as i32) {
+        while column < last.min(WINDOW_COLUMNS) {
             let at = steepness.height(product).min(dy);
             self.within_column(column.cast_unsigned() as usize, x + CELL_ONE, at - gone, weight);
             (gone, x) = (at, 0);
             column += 1;
             product = product.wrapping_add(per_column);
         }
-        if column < WINDOW as i32 {
+        if column < WINDOW_COLUMNS {
             self.within_column(column.cast_unsigned() as usize, x + within(x1), dy - gone, weight);
         }
     }
@@ -195,9 +197,8 @@ impl Accumulator {
         if touched != 0 {
             self.clear();
         }
-        if let [.., last] = &mut self.differences {
-            *last = 0;
-        }
+        let [.., last] = &mut self.differences;
+        *last = 0;
     }
 
     /// Zeroes what has been handed over.
@@ -218,7 +219,7 @@ fn column_of(x: i64) -> i32 {
 /// How far within its column, in 2^-20 pixel.
 #[inline]
 fn within(x: i64) -> i32 {
-    #[allow(clippy::cast_possible_truncation, reason = "20 bits of the lower half")]
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "20 bits of the lower half")]
     let within = ((x as u32) >> (32 - CELL_BITS)).cast_signed();
     within
 }
@@ -227,6 +228,6 @@ fn within(x: i64) -> i32 {
 #[inline]
 fn area(twice_x: i32, dy: i32) -> i32 {
     #[allow(clippy::cast_possible_truncation, reason = "at most 2^24")]
-    let area = (i64::from(twice_x) * i64::from(dy) >> (2 * CELL_BITS + 1 - 24)) as i32;
+    let area = ((i64::from(twice_x) * i64::from(dy)) >> (2 * CELL_BITS + 1 - 24)) as i32;
     area
 }

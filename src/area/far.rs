@@ -25,7 +25,7 @@ pub(crate) const TILE: i32 = 1 << 12;
 pub(crate) const LONGEST: u32 = 1 << 21;
 
 /// As close as what lies beyond is moved, in 2^-16 pixel from the tile's corner.
-const BEYOND: i64 = 3 * (TILE as i64) << FINE_BITS;
+const BEYOND: i64 = (3 * (TILE as i64)) << FINE_BITS;
 
 /// From 1/256 pixel to 2^-16.
 const FINER: u32 = FINE_BITS - SUBPIXEL_BITS;

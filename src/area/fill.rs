@@ -13,7 +13,7 @@
 //! ```
 
 use crate::area::{
-    accumulator::{Accumulator, FULL, WINDOW},
+    accumulator::{Accumulator, FULL, WINDOW, WINDOW_COLUMNS},
     chain::{CoverageEdge, State},
     order,
     source::{FINE_BITS, FINE_ONE, Source},
@@ -107,7 +107,7 @@ impl Fill<'_, '_> {
 
     /// One window of columns after the other.
     fn send_row(&mut self, sink: &mut dyn AreaSink) -> bool {
-        let columns = WINDOW as i32;
+        let columns = WINDOW_COLUMNS;
         let active = self.table.active;
         self.swept_from = usize::MAX;
         // The first chain that has to do with the window, and the winding to its left.
@@ -249,7 +249,7 @@ impl Fill<'_, '_> {
     /// Hands over the columns `start..until` of a window, and what lies between it and the next.
     fn emit(&mut self, start: i32, until: i32, is_complete: bool, gap: i32, sink: &mut dyn AreaSink) -> bool {
         let row = self.row;
-        let window_end = (start + WINDOW as i32).min(until);
+        let window_end = (start + WINDOW_COLUMNS).min(until);
         let mut sum = self.accumulator.base;
         let mut touched = core::mem::take(&mut self.accumulator.touched);
         let mut column = start;

@@ -49,7 +49,7 @@ impl Piece {
 
     #[inline]
     fn x_at(&self, y: i32) -> i64 {
-        if y == self.line.y1 { self.line.x1 } else { self.line.x0 + (self.slope * i64::from(y - self.line.y0) >> 16) }
+        if y == self.line.y1 { self.line.x1 } else { self.line.x0 + ((self.slope * i64::from(y - self.line.y0)) >> 16) }
     }
 }
 

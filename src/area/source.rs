@@ -45,8 +45,6 @@ pub(crate) enum Source<'a> {
         contours: Contours<'a>,
         origin: (i32, i32),
     },
-    /// One contour.
-    Points(&'a [Point]),
     Outline(&'a dyn Outline),
 }
 
@@ -54,7 +52,6 @@ impl Source<'_> {
     pub(crate) fn contours(&self) -> u32 {
         match self {
             Self::Contours { contours, .. } => u32::try_from(contours.len()).unwrap_or(u32::MAX),
-            Self::Points(_) => 1,
             Self::Outline(outline) => outline.contours(),
         }
     }
@@ -62,7 +59,6 @@ impl Source<'_> {
     pub(crate) fn first(&self, contour: u32) -> Option<u32> {
         match self {
             Self::Contours { contours, .. } => (!contours.contour(contour as usize).is_empty()).then_some(0),
-            Self::Points(points) => (!points.is_empty()).then_some(0),
             Self::Outline(outline) => outline.first(contour),
         }
     }
@@ -74,7 +70,6 @@ impl Source<'_> {
                 let vertex = contours.contour(contour as usize).get(index as usize).copied().unwrap_or_default();
                 relative(vertex, origin)
             }
-            Self::Points(points) => points.get(index as usize).copied().unwrap_or(Point { x: 0, y: 0 }),
             Self::Outline(outline) => outline.vertex(contour, index),
         }
     }
@@ -87,10 +82,6 @@ impl Source<'_> {
                 let vertices = contours.contour(contour as usize);
                 let next = next_index(vertices, index, is_forward);
                 (next, relative(vertices.get(next as usize).copied().unwrap_or_default(), origin))
-            }
-            Self::Points(points) => {
-                let next = next_index(points, index, is_forward);
-                (next, self.vertex(contour, next))
             }
             Self::Outline(outline) => {
                 let next = outline.next(contour, index, is_forward);
@@ -108,15 +99,14 @@ impl Source<'_> {
             let Some(first) = self.first(contour) else { continue };
             let start = self.vertex(contour, first).y;
             // How the contour arrives at its first vertex: by its last edge that is not flat.
-            let (mut before, mut went_up) = (first, false);
-            loop {
+            let mut before = first;
+            let mut went_up = loop {
                 let (index, point) = self.step(contour, before, false);
                 before = index;
                 if point.y != start || index == first {
-                    went_up = point.y > start;
-                    break;
+                    break point.y > start;
                 }
-            }
+            };
             let (mut index, mut y) = (first, start);
             loop {
                 let (next, point) = self.step(contour, index, true);

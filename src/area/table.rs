@@ -125,7 +125,10 @@ impl<'a, 's> Table<'a, 's> {
             let start = (y >> FINE_BITS).max(0);
             // Chains that end above the first row have no slots.
             let is_there = || {
-                let reaches = |way| CoverageEdge::EMPTY.begin(&source, (contour, index), way, 0);
+                let reaches = |way| {
+                    let mut chain = CoverageEdge::EMPTY;
+                    chain.begin(&source, (contour, index), way, 0)
+                };
                 y >= 0 || reaches(1) || reaches(-1)
             };
             if start >= row && start < rows && is_there() {

@@ -54,9 +54,8 @@ impl Winding {
     #[inline]
     pub(crate) fn set_flat(&mut self, winding: i32) {
         self.count = 1;
-        if let [first, ..] = &mut self.levels {
-            *first = Level { end: FINE_ONE, winding };
-        }
+        let [first, ..] = &mut self.levels;
+        *first = Level { end: FINE_ONE, winding };
     }
 
     /// Passes a chain between two heights. Each piece of it with another winding to its left is handed over before.

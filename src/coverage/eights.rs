@@ -10,11 +10,9 @@
 //!     '------ four ----'   '------ four ----'      and a span between them
 //! ```
 
-use core::ops::Range;
-
 use crate::{
     coverage::{
-        CoverageSink, Stepper,
+        CoverageSink,
         ramp::{Extent, FULL, Ramp, coverage_beside},
         steepness::Steepness,
     },
@@ -99,32 +97,6 @@ fn send_wide<S: CoverageSink>(
     sink.eights(row, start, &[left_word.to_le_bytes()])?;
     sink.eights(row, inside.end, &[after_inside(right_word, right.0.first - inside.end).to_le_bytes()])?;
     if inside.start < inside.end { sink.span(Span { row, columns: inside }, 255) } else { Ok(()) }
-}
-
-/// See `sides`. `STEEP`: both edges are [steep](Steepness::is_steep); a loop of its own needs fewer registers.
-///
-/// Nothing else can reach a sink that is an argument of its own: what it makes of its colour is worked out once for all rows.
-#[inline(never)]
-pub(super) fn send_while_apart<const STEEP: bool, const BELOW: u32, S: CoverageSink>(
-    rows: Range<i32>,
-    sides: &mut [Stepper<BELOW>; 2],
-    steepness: [Steepness; 2],
-    sink: &mut S,
-) -> Result<i32, S::Error> {
-    let ([mut left, mut right], [of_left, of_right]) = (*sides, steepness);
-    let mut row = rows.start;
-    while row < rows.end {
-        let [in_left, in_right] = [left.extent(), right.extent()];
-        if in_left.last >= in_right.first {
-            break;
-        }
-        send_between::<STEEP, S>(row, (in_left, of_left), (in_right, of_right), sink)?;
-        left.step();
-        right.step();
-        row += 1;
-    }
-    *sides = [left, right];
-    Ok(row)
 }
 
 /// A word of what a right edge takes of its pixels, after so many of the inside: `(word << bits) | ((1 << bits) - 1)`.

@@ -16,7 +16,6 @@ mod slope;
 mod steepness;
 mod stepper;
 mod straight;
-mod sum;
 mod sweep;
 
 pub(crate) use beyond::send_within_range;
@@ -25,17 +24,12 @@ pub(crate) use cells::Cells;
 pub(crate) use chain::WideChain;
 pub(crate) use circle_rows::NearCircle;
 pub(crate) use convex::{Side, send};
-pub(crate) use few::{Changes, NEAR};
-pub(crate) use ramp::{Extent, FULL, Ramp, column_of, height_in, height_of};
+pub(crate) use ramp::{Extent, Ramp, height_in, height_of};
 pub(crate) use runs::Runs;
 pub(crate) use samples::Supersampler;
 pub use samples::{SampleCell, Samples};
-pub(crate) use sides::{send_between, send_left, send_right, send_while_apart};
-pub(crate) use slope::Slope;
 pub(crate) use steepness::Steepness;
-pub(crate) use stepper::Stepper;
-pub(crate) use straight::{Side as StraightSide, Straight, send_cut, send_straight};
-pub(crate) use sum::Sum;
+pub(crate) use straight::{Side as StraightSide, Straight, send_straight};
 
 use crate::span::Span;
 

@@ -9,49 +9,14 @@
 //!
 //! A sink that takes eights gets the pixels of the inside, too, that fill them up.
 
-use core::ops::Range;
-
 use crate::{
     coverage::{
         CoverageSink, eights,
         ramp::{Extent, FULL, Ramp, Steep, coverage_beside},
         runs::{RUN, Runs},
-        steepness::Steepness,
-        stepper::Stepper,
     },
     span::Span,
 };
-
-/// Sends rows between two edges, from the first on, as long as these share no columns. The row after them is returned.
-#[inline(always)]
-pub(crate) fn send_while_apart<const BELOW: u32, S: CoverageSink>(
-    rows: Range<i32>,
-    sides: &mut [Stepper<BELOW>; 2],
-    [of_left, of_right]: [Steepness; 2],
-    runs: &mut Runs<'_, S>,
-) -> Result<i32, S::Error> {
-    if S::EIGHTS {
-        return if of_left.is_steep() && of_right.is_steep() {
-            eights::send_while_apart::<true, BELOW, S>(rows, sides, [of_left, of_right], runs.sink)
-        } else {
-            eights::send_while_apart::<false, BELOW, S>(rows, sides, [of_left, of_right], runs.sink)
-        };
-    }
-    let [mut left, mut right] = *sides;
-    let mut row = rows.start;
-    while row < rows.end {
-        let [in_left, in_right] = [left.extent(), right.extent()];
-        if in_left.last >= in_right.first {
-            break;
-        }
-        send_between(row, (in_left, of_left), (in_right, of_right), runs)?;
-        left.step();
-        right.step();
-        row += 1;
-    }
-    *sides = [left, right];
-    Ok(row)
-}
 
 /// Sends what lies between two edges, each with where it is in the row and how steep it is.
 #[inline(always)]

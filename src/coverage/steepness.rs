@@ -19,9 +19,6 @@ impl Steepness {
     /// Vertical.
     pub(crate) const NONE: Self = Self(0);
 
-    /// Not known.
-    pub(crate) const WIDE: Self = Self(1);
-
     /// `down / across`, both below 2^31.
     #[inline(always)]
     pub(crate) fn of(down: u32, across: u32) -> Self {
@@ -77,17 +74,6 @@ impl Steepness {
     #[inline(always)]
     pub(crate) fn is_steep(self) -> bool {
         self.0 & SHIFT_MASK <= 33
-    }
-
-    /// Two bits that whoever holds the slope may use.
-    #[inline(always)]
-    pub(crate) fn mark(self) -> i32 {
-        ((self.0 & MARK_MASK) >> MARK_SHIFT).cast_signed()
-    }
-
-    #[inline(always)]
-    pub(crate) fn marked(self, mark: i32) -> Self {
-        Self((self.0 & !MARK_MASK) | (mark.cast_unsigned() << MARK_SHIFT))
     }
 
     /// The mantissa, and by how much to shift a width to the left and what is multiplied out to the right, to have heights

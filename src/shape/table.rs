@@ -58,11 +58,6 @@ impl<'a, 's, T: Track> Table<'a, 's, T> {
     }
 
     #[inline]
-    pub(crate) fn rows(&self) -> &'s Range<i32> {
-        self.rows
-    }
-
-    #[inline]
     pub(crate) fn contours(&self) -> Contours<'a> {
         self.contours
     }
@@ -126,63 +121,6 @@ impl<'a, 's, T: Track> Table<'a, 's, T> {
             event = event.min(if edge.edge.can_step() { edge.until } else { row });
         }
         event.max(row)
-    }
-
-    /// How many tops start before a row, if all of them are known, and there is room for their edges.
-    #[inline]
-    pub(crate) fn starting_before(&self, row: i32) -> Option<usize> {
-        let tops = self.slots.get(self.waiting..).unwrap_or_default();
-        let starting = tops.iter().take_while(|top| top.until < row).count();
-        let is_known = starting < tops.len() || self.horizon >= row;
-        (is_known && self.active + starting <= self.waiting).then_some(starting)
-    }
-
-    /// Makes the edges of one of the tops that wait. The row that they start on is returned.
-    #[inline]
-    pub(crate) fn waiting_edges(&self, index: usize, edges: [&mut ActiveEdge<T>; 2]) -> Option<i32> {
-        let top = self.slots.get(self.waiting + index).map(ActiveEdge::top)?;
-        let [one, other] = edges;
-        let are_below = one.set_below(self.contours, top.vertex, top.contour, top.row, self.rows)
-            && other.set_below(self.contours, top.vertex, !top.contour, top.row, self.rows);
-        are_below.then_some(top.row)
-    }
-
-    /// A top has become two edges, in these places.
-    #[inline]
-    pub(crate) fn insert(&mut self, place: usize, edges: &[ActiveEdge<T>]) {
-        self.waiting += 1;
-        self.active += 2;
-        if let Some(rest) = self.slots.get_mut(place..self.active) {
-            for index in (2..rest.len()).rev() {
-                if let Some([from, _, to]) = rest.get_mut(index - 2..=index) {
-                    *to = *from;
-                }
-            }
-            for (slot, edge) in rest.iter_mut().zip(edges) {
-                *slot = *edge;
-            }
-        }
-    }
-
-    /// Another edge goes on.
-    #[inline]
-    pub(crate) fn replace(&mut self, place: usize, edge: Option<&ActiveEdge<T>>) {
-        if let (Some(slot), Some(edge)) = (self.slots.get_mut(place), edge) {
-            *slot = *edge;
-        }
-    }
-
-    /// Two edges have ended.
-    #[inline]
-    pub(crate) fn remove(&mut self, place: usize) {
-        if let Some(rest) = self.slots.get_mut(place..self.active) {
-            for index in 2..rest.len() {
-                if let Some([to, _, from]) = rest.get_mut(index - 2..=index) {
-                    *to = *from;
-                }
-            }
-            self.active -= 2;
-        }
     }
 
     #[inline(never)]

@@ -19,6 +19,5 @@ mod rows;
 mod side;
 mod walk;
 
-pub(crate) use rows::send_cut;
 pub(crate) use side::{Side, Straight};
 pub(crate) use walk::send_straight;
