@@ -231,11 +231,13 @@ fn specks() -> Vec<Scene<Specks>> {
     made.chain([Scene { name: GALLERY, shapes: vec![Specks(gallery.collect())] }]).collect()
 }
 
-fn aim_of_attributes(method: &str, _: &str) -> Aim {
-    match method {
-        "perspective" => Aim::Perspective,
-        "depth" => Aim::Depth,
-        _ => Aim::Attributes,
+pub(crate) fn aim_of_attributes(method: &str, option: &str) -> Aim {
+    if variants::attribute::in_perspective(method, option) {
+        Aim::Perspective
+    } else if variants::attribute::is_depth(method, option) {
+        Aim::Depth
+    } else {
+        Aim::Attributes
     }
 }
 
