@@ -2,7 +2,6 @@
 
 use super::report::{Outcome, Report, outcomes};
 use crate::{
-    families::aim_of_attributes,
     measure::{Aim, Scene, Suite},
     scenes,
     variants::attribute::{ATTRIBUTES, Shaded},
@@ -47,7 +46,7 @@ fn suite() -> Suite {
         let near = |index: usize| Shaded { w: [65536, 65536, 65536 >> k], ..shade("typical", index) };
         all.push(Scene { name, shapes: (0..24).map(near).collect() });
     }
-    Suite::new("attributes", ATTRIBUTES, all, aim_of_attributes)
+    Suite::new("attributes", ATTRIBUTES, all, Aim::of_attributes)
 }
 
 fn towards_zero(report: &mut Report, suite: &Suite) {
