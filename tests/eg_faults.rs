@@ -8,7 +8,8 @@ use embedded_graphics::{
     pixelcolor::{BinaryColor, Gray8},
     prelude::*,
     primitives::{
-        Line, Polyline, PrimitiveStyleBuilder, Rectangle, RoundedRectangle, Sector, StyledDrawable, Triangle,
+        Line, Polyline, PrimitiveStyleBuilder, Rectangle, RoundedRectangle, Sector, StrokeAlignment, StyledDrawable,
+        Triangle,
     },
 };
 use spanfill::{Over, eg::Style};
@@ -242,6 +243,63 @@ fn the_inside_of_a_rounded_button_is_one_fill() {
                 "{radius} {stroke}: {} blended, {} unblended, {} theirs",
                 blended.windows, unblended.windows, theirs.windows
             );
+        }
+    }
+}
+
+/// The pen is a square, as it is at width 1, and as a line's ends are.
+#[test]
+fn a_point_repeated_is_as_wide_as_it_is_high() {
+    let point = Point::new(20, 30);
+    for width in 1..=8 {
+        let (before, after) = (width / 2, width - width / 2);
+        let square = (20 - before..20 + after, 30 - before..30 + after);
+        let inside = |x: i32, y: i32| square.0.contains(&x) && square.1.contains(&y);
+        let style = Style::with_stroke(BinaryColor::On, width.cast_unsigned());
+        for points in [&[point; 2][..], &[point; 5]] {
+            let mut display = MockDisplay::new();
+            display.set_allow_overdraw(true);
+            Polyline::new(points).draw_styled(&style, &mut display).unwrap();
+            for Point { x, y } in display.bounding_box().points() {
+                let is_on = display.get_pixel(Point::new(x, y)) == Some(BinaryColor::On);
+                assert_eq!(is_on, inside(x, y), "{width}: ({x}, {y})");
+            }
+            // Blended, in the middle of the pixel, whatever the width.
+            let drawn = coverage(&Polyline::new(points), &stroked(width.cast_unsigned()));
+            let part = |at: usize, middle: f64| {
+                let half = f64::from(width) / 2.0;
+                let (low, high) = (middle - half, middle + half);
+                ((at as f64 + 1.0).min(high) - (at as f64).max(low)).max(0.0)
+            };
+            assert!(drawn == coverage(&Line::new(point, point), &stroked(width.cast_unsigned())), "{width}");
+            for (index, &found) in drawn.iter().enumerate() {
+                let exact = 255.0 * part(index % 64, 20.5) * part(index / 64, 30.5);
+                assert!((f64::from(found) - exact).abs() <= 0.6, "{width}: {found} not {exact} at {index}");
+            }
+        }
+    }
+}
+
+/// A quarter of a circle has its sides between pixels, and so has a stroke of an even width.
+#[test]
+fn blended_sectors_have_their_strokes_about_their_sides() {
+    let quarter = Sector::new(Point::new(1, 1), 60, Angle::zero(), Angle::from_degrees(90.0));
+    // Across each ray, far from both of its ends.
+    for (width, alignment, above, below) in [
+        (4, StrokeAlignment::Center, 2, 2),
+        (2, StrokeAlignment::Center, 1, 1),
+        (3, StrokeAlignment::Inside, 0, 3),
+        (3, StrokeAlignment::Outside, 3, 0),
+    ] {
+        let mut style = Style::with_stroke(Gray8::WHITE, width);
+        style.stroke_alignment = alignment;
+        let drawn = coverage(&quarter, &blended(style));
+        // The centre is at the corner of four pixels, (31, 31).
+        let expected = |at: i32| if (31 - above..31 + below).contains(&at) { 255 } else { 0 };
+        for across in 22..40_i32 {
+            let index = usize::try_from(across).unwrap();
+            assert_eq!(at(&drawn, 46, index), expected(across), "{width} {alignment:?}: row {across}");
+            assert_eq!(at(&drawn, index, 46), expected(across), "{width} {alignment:?}: column {across}");
         }
     }
 }

@@ -379,11 +379,20 @@ fn sectors_are_covered_as_their_half_planes_say() {
         };
         let filled = most_off(sector.into_styled(Style::with_fill(Rgb565::RED).antialiased(Alpha)), pie(40.0, 0.0));
         assert!(filled <= 6, "{start} {sweep}: {filled}");
-        // Two pixels outside and three inside, of which half a pixel is on the other side of the straight sides.
-        let (outer, inner) = (pie(42.0, -2.5), pie(37.0, 2.5));
-        let stroke = Style::with_stroke(Rgb565::RED, 5).antialiased(Alpha);
-        let ring = most_off(sector.into_styled(stroke), |x, y| outer(x, y) && !inner(x, y));
-        assert!(ring <= 10, "{start} {sweep}: {ring}");
+        // The circles have their strokes in whole pixels, the straight sides have them where the alignment says.
+        for (width, alignment, radii, sides) in [
+            (5, StrokeAlignment::Center, (42.0, 37.0), (2.5, 2.5)),
+            (4, StrokeAlignment::Center, (42.0, 38.0), (2.0, 2.0)),
+            (1, StrokeAlignment::Center, (40.0, 39.0), (0.5, 0.5)),
+            (4, StrokeAlignment::Inside, (40.0, 36.0), (0.0, 4.0)),
+            (3, StrokeAlignment::Outside, (43.0, 40.0), (3.0, 0.0)),
+        ] {
+            let (outer, inner) = (pie(radii.0, -sides.0), pie(radii.1, sides.1));
+            let style = StyleBuilder::new().stroke_color(Rgb565::RED).stroke_width(width).stroke_alignment(alignment);
+            let ring =
+                most_off(sector.into_styled(style.build().antialiased(Alpha)), |x, y| outer(x, y) && !inner(x, y));
+            assert!(ring <= 10, "{start} {sweep} {width} {alignment:?}: {ring}");
+        }
     }
 }
 

@@ -20,7 +20,7 @@ pub(crate) fn suites() -> Vec<Suite> {
         Suite::new("triangle: inside test", variants::triangle::INSIDE, triangles(), |_, _| Aim::Fill),
         Suite::new("triangle: traversal", variants::triangle::TRAVERSAL, triangles(), |_, _| Aim::Fill),
         Suite::new("shared edges", variants::triangle::SHARED, meshes(), |_, _| Aim::Fill),
-        Suite::new("attributes", variants::attribute::ATTRIBUTES, shaded(), aim_of_attributes),
+        Suite::new("attributes", variants::attribute::ATTRIBUTES, shaded(), Aim::of_attributes),
         Suite::new("line", variants::line::LINES, lines(), aim_of_lines),
         Suite::new("circle", variants::circle::CIRCLES, circles(), |_, option| {
             if option.ends_with("outline") { Aim::Outline } else { Aim::Fill }
@@ -229,14 +229,6 @@ fn specks() -> Vec<Scene<Specks>> {
         [a, b, if index % 2 == 0 { at(column + 1, row) } else { at(column, row + 1) }]
     });
     made.chain([Scene { name: GALLERY, shapes: vec![Specks(gallery.collect())] }]).collect()
-}
-
-fn aim_of_attributes(method: &str, _: &str) -> Aim {
-    match method {
-        "perspective" => Aim::Perspective,
-        "depth" => Aim::Depth,
-        _ => Aim::Attributes,
-    }
 }
 
 /// Made ones, and two drawings of thousands of vertices.

@@ -55,6 +55,16 @@ impl Stroke {
         (left, 2 * self.width - left)
     }
 
+    /// How far it reaches to the outside and to the inside of an outline that has no need of whole pixels, in half
+    /// pixels.
+    pub(super) fn exact_halves(&self) -> (i64, i64) {
+        match self.alignment {
+            StrokeAlignment::Inside => (0, 2 * self.width),
+            StrokeAlignment::Center => (self.width, self.width),
+            StrokeAlignment::Outside => (2 * self.width, 0),
+        }
+    }
+
     /// Whether it lies in the middle of the outline.
     pub(super) fn is_centered(&self) -> bool {
         self.alignment == StrokeAlignment::Center

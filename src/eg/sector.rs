@@ -1,9 +1,9 @@
 //! Sectors: circles cut by the wedge of the sweep, with a stroke along the arc and both straight sides.
 //!
-//! The straight sides of the stroke run through the middles of pixels: the stroke begins half a pixel outside of the
-//! angle. Below 55 and above 305 degrees its corner is cut off square. Blended without a stroke, a sector is exactly
-//! what lies within its angle, so that sectors which follow each other add up to the circle; one of no angle is
-//! nothing.
+//! Not blended, the straight sides of the stroke run through the middles of pixels: it begins half a pixel outside of the
+//! angle. Below 55 and above 305 degrees its corner is cut off square. Blended, it lies about the sides of the angle as
+//! its alignment says, an even width, too; without a stroke, a sector is exactly what lies within its angle, so that
+//! sectors which follow each other add up to the circle; one of no angle is nothing.
 
 use embedded_graphics::{geometry::Angle, primitives::Sector};
 use embedded_graphics_core::{draw_target::DrawTarget, primitives::Rectangle};
@@ -68,19 +68,16 @@ fn pies(sector: &Sector, stroke: &Stroke) -> (Pie, Pie) {
         let at = if bevel == Bevel::Outer { -at } else { at };
         Some((unit(direction(middle(sector)))?, at))
     });
+    let (outside, inside) = stroke.exact_halves();
     let outer = Pie {
         pixels: outer,
         wedge,
         sweep: sector.angle_sweep,
-        offset: -128 - 256 * stroke.outside(),
+        offset: -128 * outside,
         bevel: bevel.filter(|_| wedge.sweep == Sweep::Narrow),
     };
-    let inner = Pie {
-        pixels: inner,
-        offset: 256 * stroke.inside() - 128,
-        bevel: bevel.filter(|_| wedge.sweep == Sweep::Wide),
-        ..outer
-    };
+    let inner =
+        Pie { pixels: inner, offset: 128 * inside, bevel: bevel.filter(|_| wedge.sweep == Sweep::Wide), ..outer };
     (outer, inner)
 }
 

@@ -113,7 +113,7 @@ fn joint(at: Vector, before: Vector, after: Vector, sides: &Sides) -> Option<([V
 /// The areas of a stroke along `points`, moved by `by`, of those segments that `is_near` says so for.
 ///
 /// Segments without a length are left out. The first and the last reach to the ends of their pixels; when there is no
-/// other, the points are a line to the right of no length.
+/// other, the points are one, and the stroke is the square that the pen is.
 pub(super) fn each_area<E>(
     points: &[Point],
     by: Point,
@@ -131,7 +131,7 @@ pub(super) fn each_area<E>(
     let end_of_all = points.iter().rposition(|point| place(point) != last).map_or(0, |index| index + 1);
     if end_of_all == 0 {
         return if is_near(first, first) {
-            area(&segment(minus(first, (128, 0)), add(first, (128, 0)), (ONE, 0), sides))
+            area(&segment(minus(first, (sides.left, 0)), add(first, (sides.right, 0)), (ONE, 0), sides))
         } else {
             Ok(())
         };

@@ -9,7 +9,10 @@ use std::{
 };
 
 use super::truth::{Tally, Truth};
-use crate::variants::{Frame, Outcome, Picture, SCREEN, Variant};
+use crate::variants::{
+    Frame, Outcome, Picture, SCREEN, Variant,
+    attribute::{in_perspective, is_depth},
+};
 
 /// What a method is meant to draw of a shape.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -205,6 +208,17 @@ impl Aim {
             Self::Attributes => "attributes",
             Self::Perspective => "perspective",
             Self::Depth => "depth",
+        }
+    }
+
+    /// That of a variant of the family "attributes".
+    pub(crate) fn of_attributes(method: &str, option: &str) -> Self {
+        if in_perspective(method, option) {
+            Self::Perspective
+        } else if is_depth(method, option) {
+            Self::Depth
+        } else {
+            Self::Attributes
         }
     }
 

@@ -17,7 +17,7 @@ pub(crate) fn report(report: &mut Report) {
     report.say(
         "Four channels of 0 to 255 at each vertex, on the slivers of above: the steeper the plane, the more an error of the \
          position counts. How far the worst channel of a pixel is off, beyond what rounding takes; only pixels that the method \
-         and the oracle both have count. What the crate ships has one colour for a triangle: the average.",
+         and the oracle both have count. What the crate ships is the exact value, to the nearest; or flat, the average.",
     );
     report.levels("attributes", "attributes on slivers", "levels", of_aim("slivers", Aim::Attributes));
     report.heading("Attributes: w towards zero");
@@ -46,11 +46,7 @@ fn suite() -> Suite {
         let near = |index: usize| Shaded { w: [65536, 65536, 65536 >> k], ..shade("typical", index) };
         all.push(Scene { name, shapes: (0..24).map(near).collect() });
     }
-    Suite::new("attributes", ATTRIBUTES, all, |method, _| match method {
-        "perspective" => Aim::Perspective,
-        "depth" => Aim::Depth,
-        _ => Aim::Attributes,
-    })
+    Suite::new("attributes", ATTRIBUTES, all, Aim::of_attributes)
 }
 
 fn towards_zero(report: &mut Report, suite: &Suite) {

@@ -73,5 +73,9 @@ pub const METHODS: &[Method] = &[
         source: "Heckbert and Moreton 1991; Blinn, Hyperbolic interpolation, 1992; Rasterization (lecture notes); Hecker 1995",
     },
     Method { name: "depth", options: &["f64", "F = 12"], source: "Rasterization (lecture notes)" },
-    Method { name: "spanfill", options: &["shipped"], source: "spanfill::Triangle, by Shape::spans" },
+    Method {
+        name: "spanfill",
+        options: &["flat", "gouraud", "perspective", "perspective, divided at each pixel", "depth"],
+        source: "spanfill::Triangle, by Shape::spans; spanfill::Affine and spanfill::Perspective, by Attributes",
+    },
 ];
