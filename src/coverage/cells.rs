@@ -15,11 +15,11 @@ use crate::coverage::{
 
 /// Scratch for one column of an anti-aliased polygon. 4 bytes.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Cell(pub(super) i32);
+pub(crate) struct Cell(pub(super) i32);
 
 impl Cell {
     /// Unused scratch.
-    pub const EMPTY: Self = Self(0);
+    pub(crate) const EMPTY: Self = Self(0);
 }
 
 /// Cells for `columns`, at least as many as those.

@@ -19,7 +19,7 @@ mod straight;
 mod sweep;
 
 pub(crate) use beyond::send_within_range;
-pub use cells::Cell;
+pub(crate) use cells::Cell;
 pub(crate) use cells::Cells;
 pub(crate) use chain::WideChain;
 pub(crate) use circle_rows::NearCircle;
