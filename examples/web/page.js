@@ -376,10 +376,13 @@ function showDashboard(crate) {
   draw();
 }
 
+const asked = new URLSearchParams(location.search);
+// A browser that is only to save a picture waits for what is being loaded: the server takes its time over this.
+if (asked.has("screenshot")) document.body.append(Object.assign(new Image(), { src: "held" }));
 const crate = await Crate.load("spanfill_web.wasm");
 const benches = { demonstration: demonstrate(crate), shapes: magnify(crate) };
 showDashboard(crate);
-if (new URLSearchParams(location.search).has("test")) {
+if (asked.has("test")) {
   const { test } = await import("./test.js");
   await test(crate, benches);
 }

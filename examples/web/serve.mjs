@@ -9,6 +9,8 @@ import { join } from "node:path";
 
 const [site, port, expected, chromium] = process.argv.slice(2);
 const TYPES = { html: "text/html", js: "text/javascript", wasm: "application/wasm" };
+/** What a browser that saves a picture waits for: see page.js. */
+const HOLD_MS = 5_000;
 const TIMEOUT_MS = 300_000;
 
 const wanted = new Set(expected ? readdirSync(expected) : []);
@@ -39,6 +41,7 @@ const server = createServer(async (request, response) => {
     return answer(200, "text/plain", "");
   }
   if (path === "expected") return answer(200, "application/json", JSON.stringify([...wanted]));
+  if (path === "held") return setTimeout(() => answer(404, "text/plain", ""), HOLD_MS);
   // Only what `run.sh build` put there.
   if (!readdirSync(site).includes(path)) return answer(404, "text/plain", "There is no such file.");
   answer(200, TYPES[path.split(".").pop()] ?? "text/plain", readFileSync(join(site, path)));
@@ -50,7 +53,7 @@ server.listen(Number(port), "127.0.0.1", async () => {
   const profile = mkdtempSync(join(tmpdir(), "spanfill-web-"));
   const flags =
     "--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking " +
-    "--disable-component-update --disable-sync --remote-debugging-port=0";
+    "--disable-component-update --disable-sync";
   const browser = spawn(chromium, [...flags.split(" "), `--user-data-dir=${profile}`, `${address}?test`], { stdio: "ignore" });
   const said = await new Promise((resolve) => {
     finish = resolve;
