@@ -325,8 +325,8 @@ function demonstrate(crate) {
     bench.choose(Number(button.dataset.kind), shade === "smooth" ? undefined : "as printed · FlatTri, Java");
   };
   for (const button of buttons) button.addEventListener("click", () => press(button));
-  // Where the fan's triangles meet.
-  bench.loupe.middle = [163, 122];
+  // The rim, where methods differ.
+  bench.loupe.middle = [92, 51];
   press(buttons[0]);
   return bench;
 }
@@ -357,7 +357,7 @@ function showDashboard(crate) {
   const root = document.getElementById("dashboard");
   const [picture, value, library] = [".picture", ".value", ".library"].map((name) => root.querySelector(name));
   const loupe = new Loupe(root.querySelector(".loupe"), picture, root.querySelector(".zoom"), () => loupe.draw());
-  loupe.middle = [112, 70];
+  loupe.middle = [125, 84];
   const draw = () => {
     root.querySelector("output").textContent = value.value;
     const started = performance.now();

@@ -106,7 +106,7 @@ screenshot() {
     done
     timeout 120 "$chromium" --headless --no-sandbox --disable-gpu --disable-quic --no-first-run --hide-scrollbars \
         --disable-background-networking --disable-component-update --disable-sync --user-data-dir="$scratch/profile" \
-        --window-size=1240,2330 --screenshot="$1" \
+        --window-size=1240,2580 --screenshot="$1" \
         "$(sed -n 's/.*\(http.*\)/\1?screenshot/p' "$scratch/said")" 2>"$scratch/log" || fail "$chromium: $(cat "$scratch/log")"
     [[ -s $1 ]] || fail "$chromium saved no picture: $(cat "$scratch/log")"
 }

@@ -15,5 +15,6 @@ pub mod judge;
 mod oracle;
 pub mod page;
 pub mod subject;
+#[allow(clippy::new_without_default, reason = "of several megabytes: nobody's default")]
 #[path = "../../methods/variants/mod.rs"]
 pub mod variants;

@@ -51,7 +51,7 @@ impl Subject {
                 Geometry::Triangles(fan(if kind == SIMPLE { [160 * 256 + 128, 120 * 256 + 128] } else { point(0) }))
             }
             COMPLICATED => Geometry::Triangles(sheet()),
-            2 | 3 => Geometry::Triangles(vec![coloured([0, 1, 2].map(point), [0.0, 1.0 / 3.0, 2.0 / 3.0])]),
+            2 | 3 => Geometry::Triangles(vec![coloured([0, 1, 2].map(point), [0.0, 0.12, 0.3].map(Some))]),
             5 => Geometry::Line([0, 1].map(|index| point(index).map(pixel))),
             6 => {
                 let ([x, y], rim) = (point(0).map(pixel), point(1).map(pixel));
@@ -114,8 +114,9 @@ fn fan(hub: At) -> Vec<Shaded> {
     const RIM: [[i32; 2]; 6] = [[270, 120], [216, 30], [104, 30], [50, 120], [104, 210], [216, 210]];
     let rim = |index: usize| RIM[index % 6].map(|at| 256 * at + 128);
     let hue = |index: usize| (index % 6) as f64 / 6.0;
-    let triangle =
-        |index: usize| coloured([hub, rim(index), rim(index + 1)], [hue(index) + 0.5, hue(index), hue(index + 1)]);
+    let triangle = |index: usize| {
+        coloured([hub, rim(index), rim(index + 1)], [None, Some(hue(index)), Some(hue(index) + 1.0 / 6.0)])
+    };
     (0..6).map(triangle).collect()
 }
 
@@ -149,17 +150,18 @@ fn sheet() -> Vec<Shaded> {
             let (a, b) = ((pair[0][column], hue(row, column)), (pair[0][column + 1], hue(row, column + 1)));
             let (c, d) = ((pair[1][column], hue(row + 1, column)), (pair[1][column + 1], hue(row + 1, column + 1)));
             for [a, b, c] in [[a, b, d], [a, d, c]] {
-                triangles.push(coloured([a.0, b.0, c.0], [a.1, b.1, c.1]));
+                triangles.push(coloured([a.0, b.0, c.0], [a.1, b.1, c.1].map(Some)));
             }
         }
     }
     triangles
 }
 
-/// A triangle with hues at its vertices, 0 to 1 around the wheel; without perspective.
-fn coloured(vertices: [At; 3], hues: [f64; 3]) -> Shaded {
+/// A triangle with hues at its vertices, 0 to 1 around the wheel, or nearly white; without perspective.
+fn coloured(vertices: [At; 3], hues: [Option<f64>; 3]) -> Shaded {
     let attributes = hues.map(|hue| {
-        let channel = |shift: f64| (145.0 + 95.0 * ((hue + shift) * TAU).cos()).round() as i32;
+        let Some(hue) = hue else { return [250, 248, 240, 255] };
+        let channel = |shift: f64| (140.0 + 110.0 * ((hue + shift) * TAU).cos()).round() as i32;
         [channel(0.0), channel(2.0 / 3.0), channel(1.0 / 3.0), 255]
     });
     Shaded { vertices, attributes, w: [65536; 3], depth: [0, 30_000, 60_000] }
