@@ -51,7 +51,7 @@ impl Subject {
                 Geometry::Triangles(fan(if kind == SIMPLE { [160 * 256 + 128, 120 * 256 + 128] } else { point(0) }))
             }
             COMPLICATED => Geometry::Triangles(sheet()),
-            2 | 3 => Geometry::Triangles(vec![coloured([0, 1, 2].map(point), [0.0, 0.12, 0.3].map(Some))]),
+            2 | 3 => Geometry::Triangles(vec![coloured([0, 1, 2].map(point), [0.45, 0.55, 0.7].map(Some))]),
             5 => Geometry::Line([0, 1].map(|index| point(index).map(pixel))),
             6 => {
                 let ([x, y], rim) = (point(0).map(pixel), point(1).map(pixel));
