@@ -16,11 +16,11 @@ use embedded_graphics::{
     primitives::{self as eg, CornerRadii, Rectangle, StrokeAlignment, StyledDimensions, StyledDrawable},
 };
 use spanfill::{
-    ActiveEdge, ActiveEdges, Arc, Blend, BlockSink, Cap, Circle, CircleOutline, Connectivity, Cover,
-    CoverageEdge, CoverageSink, Dither, Element, Ellipse, FillRegion, FillRule, FillSegment, FinePoint, I24F8, InPlace,
-    Join, Line, Linear, Mix, MixLinear, Outline, OutlineSink, Over, Path, PixelRect, PixelRows, Polygon, ReadBack,
-    Ring, RoundedRectangle, SampleCell, SampleEdge, Samples, Sector, SeedFill, Shape, Span, SpanSink, Stroke,
-    StrokeStyle, SvgElements, TaperedLine, TooLittleScratch, Transform, Triangle, Turn, Vertex, collect,
+    ActiveEdge, ActiveEdges, Arc, Blend, BlockSink, Cap, Circle, CircleOutline, Connectivity, Cover, CoverageEdge,
+    CoverageSink, Dither, Element, Ellipse, FillRegion, FillRule, FillSegment, FinePoint, I24F8, InPlace, Join, Line,
+    Linear, Mix, MixLinear, Outline, OutlineSink, Over, Path, PixelRect, PixelRows, Polygon, ReadBack, Ring,
+    RoundedRectangle, SampleCell, SampleEdge, Samples, Sector, SeedFill, Shape, Span, SpanSink, Stroke, StrokeStyle,
+    SvgElements, TaperedLine, TooLittleScratch, Transform, Triangle, Turn, Vertex, collect,
     eg::{DrawOn, Style, StyleBuilder},
     prelude::*,
 };

@@ -253,15 +253,14 @@ impl Fill<'_, '_> {
         let mut sum = self.accumulator.base;
         let mut touched = core::mem::take(&mut self.accumulator.touched);
         let mut column = start;
-        let mut is_open = true;
-        while touched != 0 && is_open {
+        while touched != 0 {
             let first = touched.trailing_zeros();
             let next = start + first.cast_signed();
             if next >= window_end {
                 break;
             }
-            if next > column && rounds_up(sum) {
-                is_open = sink.span(row, column..next, sum);
+            if next > column && rounds_up(sum) && !sink.span(row, column..next, sum) {
+                return false;
             }
             let length = (touched >> first).trailing_ones();
             touched = touched.checked_shr(first + length).unwrap_or(0).checked_shl(first + length).unwrap_or(0);
@@ -272,14 +271,12 @@ impl Fill<'_, '_> {
             let sums = self.accumulator.sums(&mut sum, first as usize, count);
             if let Some(run) = sums.get(..sent)
                 && !run.is_empty()
+                && !sink.run(row, next, run)
             {
-                is_open &= sink.run(row, next, run);
+                return false;
             }
             column = next + i32::try_from(sent).unwrap_or(0);
             self.accumulator.forget(first as usize, length as usize + 1);
-        }
-        if !is_open {
-            return false;
         }
         self.accumulator.clear_rest(touched);
         if is_complete && touched == 0 {
@@ -287,10 +284,7 @@ impl Fill<'_, '_> {
             sum = gap;
         }
         let end = if is_complete { until } else { window_end };
-        if end > column && rounds_up(sum) {
-            is_open = sink.span(row, column..end, sum);
-        }
-        is_open
+        end <= column || !rounds_up(sum) || sink.span(row, column..end, sum)
     }
 }
 
@@ -299,5 +293,3 @@ impl Fill<'_, '_> {
 fn rounds_up(area: i32) -> bool {
     area > FULL >> 16
 }
-
-const _: () = assert!(FINE_ONE == 1 << FINE_BITS);
