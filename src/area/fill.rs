@@ -16,7 +16,7 @@ use crate::area::{
     accumulator::{Accumulator, FULL, WINDOW, WINDOW_COLUMNS},
     chain::{CoverageEdge, State},
     order,
-    source::{FINE_BITS, FINE_ONE, Source},
+    source::{FINE_BITS, Source},
     sweep,
     table::Table,
     winding::Winding,

@@ -10,8 +10,7 @@ use embedded_graphics::{
     prelude::*,
 };
 use spanfill::{
-    ActiveEdge, AntiAlias, Cover, CoverageEdge, CoverageSink, Fill, FillRule, InPlace, PixelRect, Polygon, Span,
-    Vertex,
+    ActiveEdge, AntiAlias, Cover, CoverageEdge, CoverageSink, Fill, FillRule, InPlace, PixelRect, Polygon, Span, Vertex,
 };
 use tiny_skia::{Paint, Path, PathBuilder, Pixmap, Shader, Transform};
 use vello_cpu::{Level, RenderContext, RenderSettings, Resources, color::AlphaColor, kurbo::BezPath, peniko};

@@ -4,8 +4,8 @@ use std::{convert::Infallible, ops::Range};
 
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 use spanfill::{
-    AntiAlias, Circle, Cover, CoverageEdge, CoverageSink, InPlace, Line, Mix, Over, PixelRect, Polygon,
-    SampleCell, SampleEdge, Span, Triangle, Vertex,
+    AntiAlias, Circle, Cover, CoverageEdge, CoverageSink, InPlace, Line, Mix, Over, PixelRect, Polygon, SampleCell,
+    SampleEdge, Span, Triangle, Vertex,
 };
 
 use crate::{
