@@ -353,7 +353,8 @@ impl Line {
     #[inline]
     fn y_at(&self, x: i64) -> i32 {
         // At most 2^16 and 2^46.
-        let dy = i64::from(self.y1 - self.y0) * (x - self.x0) / (self.x1 - self.x0 + i64::from(self.x1 == self.x0));
+        let product = i64::from(self.y1 - self.y0) * (x - self.x0);
+        let dy = product.checked_div(self.x1 - self.x0).unwrap_or(0);
         #[allow(clippy::cast_possible_truncation, reason = "between both ends")]
         let y = self.y0 + dy as i32;
         y

@@ -91,10 +91,11 @@ impl Winding {
             return Err(TooManyLevels);
         }
         self.count += 1;
-        let levels = self.levels.get_mut(place..self.count).unwrap_or_default();
-        levels.rotate_right(1);
-        if let [new, split, ..] = levels {
-            *new = Level { end: height, winding: split.winding };
+        // What ends at `height` comes before what it is split off.
+        let mut moved =
+            self.levels.get(place).map_or(Level { end: height, winding: 0 }, |level| Level { end: height, ..*level });
+        for level in self.levels.get_mut(place..self.count).unwrap_or_default() {
+            core::mem::swap(level, &mut moved);
         }
         Ok(())
     }
