@@ -14,7 +14,9 @@
 use crate::area::{accumulator::Accumulator, chain::Line, fill::Inside, source::FINE_ONE, winding::Level};
 
 /// So many pieces have room, 56 bytes of stack each.
-pub(super) const MOST: usize = if usize::BITS > 32 { 96 } else { 16 };
+///
+/// The same everywhere: what does not fit may be rounded another way, and hosts have a board's bits.
+pub(super) const MOST: usize = 24;
 
 /// What the rounding of columns may make of two that are equal, in 2^-32 pixel: 2^-17 pixel.
 const TOLERANCE: i64 = 1 << 15;

@@ -12,7 +12,9 @@
 use crate::area::source::FINE_ONE;
 
 /// More levels than most outlines ever need; what has more is swept as a whole (see `sweep`). 8 bytes of stack each.
-const CAPACITY: usize = if usize::BITS > 32 { 128 } else { 24 };
+///
+/// The same everywhere: what is swept may be rounded another way, and hosts have a board's bits.
+const CAPACITY: usize = 24;
 
 /// Heights up to `end`, and the winding there.
 #[derive(Debug, Clone, Copy)]
