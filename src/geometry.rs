@@ -8,7 +8,7 @@ use embedded_graphics_core::{
 };
 use fixed::{traits::ToFixed, types::I24F8};
 
-use crate::limits::{NARROW_REACH, SUBPIXEL_BITS};
+use crate::limits::{NARROW_REACH, ONE, SUBPIXEL_BITS};
 
 /// A point of an outline, in 1/256 pixel.
 ///
@@ -101,13 +101,6 @@ impl PixelRect {
     }
 }
 
-/// Whether a vertex lies in the narrow zone. See `limits::NARROW_REACH`.
-#[inline(always)]
-pub(crate) fn is_narrow(vertex: Vertex) -> bool {
-    let is_in_zone = |x: i32| x.wrapping_add(NARROW_REACH).cast_unsigned() <= 2 * NARROW_REACH.cast_unsigned();
-    is_in_zone(vertex.x.to_bits()) && is_in_zone(vertex.y.to_bits())
-}
-
 /// The pixels that have anything in common with the bounding box of vertices.
 pub(crate) fn touched<'a>(vertices: impl Iterator<Item = &'a Vertex>) -> PixelRect {
     let mut low = (i32::MAX, i32::MAX);
@@ -122,6 +115,19 @@ pub(crate) fn touched<'a>(vertices: impl Iterator<Item = &'a Vertex>) -> PixelRe
     }
     let pixels = |low: i32, high: i32| low >> SUBPIXEL_BITS..((high - 1) >> SUBPIXEL_BITS) + 1;
     PixelRect { rows: pixels(low.1, high.1), columns: pixels(low.0, high.0) }
+}
+
+/// The pixels between two places that may be beyond the range of coordinates, along either axis, as far as they are inside it.
+#[inline]
+pub(crate) fn pixels_between(low: i64, high: i64) -> Range<i32> {
+    let pixel = |position: i64| {
+        let one = i64::from(ONE);
+        let clamped = position.clamp(i64::from(i32::MIN), i64::from(i32::MAX) + 1);
+        #[allow(clippy::cast_possible_truncation, reason = "a coordinate, less eight bits")]
+        let pixel = clamped.div_euclid(one) as i32;
+        pixel
+    };
+    pixel(low)..pixel(high + i64::from(ONE) - 1)
 }
 
 impl From<Rectangle> for PixelRect {

@@ -135,7 +135,7 @@ fn every_circle_of_eighths_of_a_pixel() {
     on_all_cores(centers.len(), |index| {
         for radius in steps(16, 1024) {
             let circle = Circle::from_bits(centers[index], radius);
-            assert_eq!(check(&circle, &window, Tolerance { few: 1.5, many: 1.5 }), radius > 0, "{}", circle.code());
+            assert_eq!(check(&circle, &window, Tolerance { few: 0.6, many: 0.6 }), radius > 0, "{}", circle.code());
         }
     });
 }

@@ -34,7 +34,7 @@ fn compare<S: Cover + HasArea + Belongs>(
 
 const EXACT: Tolerance = Tolerance::EXACT;
 /// Anti-aliased circles are not made of edges.
-const CIRCLES: Tolerance = Tolerance { few: 1.5, many: 1.5 };
+const CIRCLES: Tolerance = Tolerance { few: 0.6, many: 0.6 };
 
 /// Whether coordinates lie within 8192 pixels of the origin.
 fn are_near(vertices: &[Vertex]) -> bool {

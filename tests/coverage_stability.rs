@@ -387,7 +387,7 @@ fn lines_at_the_ends_of_the_range() {
 fn circles_at_the_ends_of_the_range() {
     for_each_case(442, cases(1_000), |rng| {
         let radius = rng.pick(&[1, 300, i32::MAX / 2, i32::MAX - 1, i32::MAX]);
-        check_at_the_ends(&Circle::from_bits(at_an_end(rng), radius), Tolerance { few: 1.5, many: 1.5 })?;
+        check_at_the_ends(&Circle::from_bits(at_an_end(rng), radius), Tolerance { few: 0.6, many: 0.6 })?;
         Ok(0)
     });
 }

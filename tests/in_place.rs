@@ -97,9 +97,6 @@ fn eight_colours_are_mixed_as_each_by_itself() {
                         let expected: [$colour; 8] =
                             std::array::from_fn(|lane| top.over(backdrops[lane], alphas[lane]));
                         assert_eq!(mixed, expected, "{top:?} over {backdrops:?} by {alphas:?}");
-                        let mut eights = [backdrops, expected];
-                        top.over_eights(&mut eights, &[alphas, [0; 8]]);
-                        assert_eq!(eights, [expected; 2], "in eights");
                     }
                 }
             })+
@@ -182,7 +179,6 @@ fn what_leaves_the_row_is_cut() {
     let black = Memory::new(area, |_| Gray8::BLACK);
     let mut memory = black.clone();
     let draw = |memory: &mut Memory<Gray8>, x: i32, y: i32| {
-        let Ok(()) = InPlace.eights(memory, Point::new(x, y), Gray8::WHITE, &[[9; 8]; 3]);
         let Ok(()) = InPlace.run(memory, Point::new(x, y), Gray8::WHITE, &[9; 20]);
         let Ok(()) = InPlace.fill(memory, Point::new(x, y), 100, Gray8::WHITE);
     };

@@ -4,9 +4,10 @@ use crate::{
     PixelRect,
     area::{
         CoverageEdge, Inside, Rounded,
-        far::{Far, LONGEST, TILE},
+        far::{Far, Vertices},
         fill::fill,
-        source::Source,
+        source::{FINE_BITS, Source},
+        tiles::{REACH, for_each_tile},
     },
     contours::Contours,
     coverage::CoverageSink,
@@ -29,30 +30,17 @@ pub(crate) fn send_contours<S: CoverageSink>(
         return Ok(());
     }
     let mut rounded = Rounded { sink, corner: (columns.start, rows.start), result: Ok(()) };
-    const REACH: i64 = (LONGEST as i64) / ONE as i64;
-    let length = |range: &core::ops::Range<i32>| i64::from(range.end) - i64::from(range.start);
+    let length = |range: &core::ops::Range<i32>| i64::from(range.end).abs_diff(i64::from(range.start)) << FINE_BITS;
     if length(&touched.rows) <= REACH && length(&touched.columns) <= REACH {
         let origin = (columns.start.wrapping_mul(ONE), rows.start.wrapping_mul(ONE));
         let size = (columns.end - columns.start, rows.end - rows.start);
         fill(Source::Contours { contours, origin }, inside, size, slots, &mut rounded);
         return rounded.result;
     }
-    let mut y = rows.start;
-    while y < rows.end {
-        let tile_y = y & -TILE;
-        let bottom = rows.end.min(tile_y.saturating_add(TILE));
-        let mut x = columns.start;
-        while x < columns.end {
-            let tile_x = x & -TILE;
-            let right = columns.end.min(tile_x.saturating_add(TILE));
-            rounded.corner = (x, y);
-            let far = Far { contours, tile: (tile_x, tile_y), corner: (x, y) };
-            if !fill(Source::Outline(&far), inside, (right - x, bottom - y), slots, &mut rounded) {
-                return rounded.result;
-            }
-            x = right;
-        }
-        y = bottom;
-    }
+    for_each_tile(&rows, &columns, |tile, corner, size| {
+        rounded.corner = corner;
+        let far = Far { vertices: Vertices::Contours(contours), tile, corner };
+        fill(Source::Outline(&far), inside, size, slots, &mut rounded)
+    });
     rounded.result
 }

@@ -11,18 +11,16 @@
 //! ```
 
 use crate::{
-    Vertex,
-    area::source::{FINE_BITS, Outline, Point},
+    area::{
+        source::{FINE_BITS, Outline, Point},
+        tiles::{REACH, TILE},
+    },
     contours::{Contours, next_index},
-    edge::divide_product,
     limits::SUBPIXEL_BITS,
 };
 
-/// The side of a tile, in pixels.
-pub(crate) const TILE: i32 = 1 << 12;
-
-/// The longest edge that is not cut, in 1/256 pixel.
-pub(crate) const LONGEST: u32 = 1 << 21;
+/// The longest edge that is not cut, in 2^-16 pixel.
+const LONGEST: u64 = REACH;
 
 /// As close as what lies beyond is moved, in 2^-16 pixel from the tile's corner.
 const BEYOND: i64 = (3 * (TILE as i64)) << FINE_BITS;
@@ -30,9 +28,36 @@ const BEYOND: i64 = (3 * (TILE as i64)) << FINE_BITS;
 /// From 1/256 pixel to 2^-16.
 const FINER: u32 = FINE_BITS - SUBPIXEL_BITS;
 
+/// Vertices anywhere, in 2^-16 pixel.
+#[derive(Clone, Copy)]
+pub(super) enum Vertices<'a> {
+    Contours(Contours<'a>),
+    /// One contour.
+    Ring(&'a [(i64, i64)]),
+}
+
+impl Vertices<'_> {
+    fn at(&self, contour: u32, vertex: u32) -> (i64, i64) {
+        match self {
+            Self::Contours(contours) => {
+                let vertex = contours.contour(contour as usize).get(vertex as usize).copied().unwrap_or_default();
+                (i64::from(vertex.x.to_bits()) << FINER, i64::from(vertex.y.to_bits()) << FINER)
+            }
+            Self::Ring(ring) => ring.get(vertex as usize).copied().unwrap_or((0, 0)),
+        }
+    }
+
+    fn next(&self, contour: u32, vertex: u32, is_forward: bool) -> u32 {
+        match self {
+            Self::Contours(contours) => next_index(contours.contour(contour as usize), vertex, is_forward),
+            Self::Ring(ring) => next_index(ring, vertex, is_forward),
+        }
+    }
+}
+
 /// See the module. An index is a vertex's, times four, and how many cuts of the edge behind it lie before.
 pub(super) struct Far<'a> {
-    pub(super) contours: Contours<'a>,
+    pub(super) vertices: Vertices<'a>,
     /// The corner of the tile, and that of what is drawn, in pixels.
     pub(super) tile: (i32, i32),
     pub(super) corner: (i32, i32),
@@ -42,34 +67,29 @@ pub(super) struct Far<'a> {
 struct Long {
     along_x: bool,
     /// The ends, the first along the longer axis being the first; (along, across).
-    ends: [(i32, i32); 2],
+    ends: [(i64, i64); 2],
     /// Cut at the tile's near border, at its far one.
     cuts: [bool; 2],
     is_reversed: bool,
 }
 
 impl Far<'_> {
-    fn vertex_at(&self, contour: u32, vertex: u32) -> Vertex {
-        self.contours.contour(contour as usize).get(vertex as usize).copied().unwrap_or_default()
-    }
-
     fn long(&self, contour: u32, vertex: u32) -> Option<Long> {
-        let next = next_index(self.contours.contour(contour as usize), vertex, true);
-        let bits = |vertex: Vertex| (vertex.x.to_bits(), vertex.y.to_bits());
-        let (a, b) = (bits(self.vertex_at(contour, vertex)), bits(self.vertex_at(contour, next)));
+        let next = self.vertices.next(contour, vertex, true);
+        let (a, b) = (self.vertices.at(contour, vertex), self.vertices.at(contour, next));
         let (dx, dy) = (a.0.abs_diff(b.0), a.1.abs_diff(b.1));
         if dx <= LONGEST && dy <= LONGEST {
             return None;
         }
         let along_x = dx >= dy;
-        let turned = |(x, y): (i32, i32)| if along_x { (x, y) } else { (y, x) };
+        let turned = |(x, y): (i64, i64)| if along_x { (x, y) } else { (y, x) };
         let (a, b) = (turned(a), turned(b));
         let is_reversed = a.0 > b.0;
         let ends = if is_reversed { [b, a] } else { [a, b] };
-        let near = turned(self.tile).0;
+        let near = if along_x { self.tile.0 } else { self.tile.1 };
         let cuts = [near, near.saturating_add(TILE)].map(|border| {
-            let border = i64::from(border) << SUBPIXEL_BITS;
-            i64::from(ends[0].0) < border && border < i64::from(ends[1].0)
+            let border = i64::from(border) << FINE_BITS;
+            ends[0].0 < border && border < ends[1].0
         });
         Some(Long { along_x, ends, cuts, is_reversed })
     }
@@ -78,7 +98,7 @@ impl Far<'_> {
         self.long(contour, vertex).map_or(0, |long| long.cuts.iter().map(|&cut| u32::from(cut)).sum())
     }
 
-    /// Relative to what is drawn, from 2^-16 pixel.
+    /// Relative to what is drawn.
     fn relative(&self, (x, y): (i64, i64)) -> Point {
         let near = |at: i64, tile: i32, corner: i32| {
             let from_tile = (at - (i64::from(tile) << FINE_BITS)).clamp(-BEYOND, BEYOND);
@@ -92,16 +112,23 @@ impl Far<'_> {
 
 impl Outline for Far<'_> {
     fn contours(&self) -> u32 {
-        u32::try_from(self.contours.len()).unwrap_or(u32::MAX)
+        match self.vertices {
+            Vertices::Contours(contours) => u32::try_from(contours.len()).unwrap_or(u32::MAX),
+            Vertices::Ring(_) => 1,
+        }
     }
 
     fn first(&self, contour: u32) -> Option<u32> {
-        (!self.contours.contour(contour as usize).is_empty()).then_some(0)
+        let is_empty = match self.vertices {
+            Vertices::Contours(contours) => contours.contour(contour as usize).is_empty(),
+            Vertices::Ring(ring) => ring.is_empty(),
+        };
+        (!is_empty).then_some(0)
     }
 
     fn next(&self, contour: u32, index: u32, is_forward: bool) -> u32 {
         let (vertex, cut) = (index >> 2, index & 3);
-        let neighbour = next_index(self.contours.contour(contour as usize), vertex, is_forward);
+        let neighbour = self.vertices.next(contour, vertex, is_forward);
         match (is_forward, cut) {
             (true, cut) if cut < self.cuts(contour, vertex) => index + 1,
             (true, _) => neighbour << 2,
@@ -114,21 +141,52 @@ impl Outline for Far<'_> {
         let (vertex, cut) = (index >> 2, index & 3);
         let long = if cut == 0 { None } else { self.long(contour, vertex) };
         let Some(Long { along_x, ends: [start, end], cuts, is_reversed }) = long else {
-            let vertex = self.vertex_at(contour, vertex);
-            return self.relative((i64::from(vertex.x.to_bits()) << FINER, i64::from(vertex.y.to_bits()) << FINER));
+            return self.relative(self.vertices.at(contour, vertex));
         };
         // Of two cuts, the first is the near one, unless the edge is the other way round.
         let is_far = if cuts == [true, true] { (cut == 2) != is_reversed } else { cuts[1] };
         let near = if along_x { self.tile.0 } else { self.tile.1 };
-        let along = (i64::from(near) + if is_far { i64::from(TILE) } else { 0 }) << SUBPIXEL_BITS;
-        let length = end.0.wrapping_sub(start.0).cast_unsigned();
-        let distance = (along - i64::from(start.0)).unsigned_abs();
-        let (whole, part) = divide_product(distance, start.1.abs_diff(end.1), length);
-        let moved = (whole << FINER)
-            .wrapping_add(((u64::from(part) << (FINER + 1)) / u64::from(length.max(1)) + 1) >> 1)
-            .cast_signed();
-        let across = (i64::from(start.1) << FINER) + if start.1 <= end.1 { moved } else { -moved };
-        let along = along << FINER;
+        let along = (i64::from(near) + if is_far { i64::from(TILE) } else { 0 }) << FINE_BITS;
+        let moved = share(along.abs_diff(start.0), start.1.abs_diff(end.1), end.0.abs_diff(start.0)).cast_signed();
+        let across = start.1 + if start.1 <= end.1 { moved } else { -moved };
         self.relative(if along_x { (along, across) } else { (across, along) })
+    }
+}
+
+/// `distance * across / length`, to the nearest, for `distance < length` and `across <= length`, all below 2^48: bit by bit, so
+/// that no product is wider than a word, and no division is linked for the few edges that need one.
+fn share(distance: u64, across: u64, length: u64) -> u64 {
+    let (mut quotient, mut rest) = (0, 0);
+    for bit in (0..u64::BITS - distance.leading_zeros()).rev() {
+        (quotient, rest) = (2 * quotient, 2 * rest + if distance >> bit & 1 == 1 { across } else { 0 });
+        // Below three lengths.
+        for _ in 0..2 {
+            if rest >= length {
+                (quotient, rest) = (quotient + 1, rest - length);
+            }
+        }
+    }
+    quotient + u64::from(2 * rest >= length)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_are_rounded_to_the_nearest() {
+        let mut state = 1_u64;
+        let mut random = |bits: u32| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state >> (64 - bits)
+        };
+        for _ in 0..100_000 {
+            let bits = 3 + random(6) as u32 % 40;
+            let length = random(bits).max(2);
+            let (distance, across) = (random(43) % length, random(43) % (length + 1));
+            let expected =
+                (2 * u128::from(distance) * u128::from(across) + u128::from(length)) / (2 * u128::from(length));
+            assert_eq!(u128::from(share(distance, across, length)), expected, "{distance} {across} {length}");
+        }
     }
 }

@@ -13,8 +13,9 @@
 //! ```
 
 use crate::area::{
-    accumulator::{Accumulator, FULL, WINDOW, WINDOW_COLUMNS},
+    accumulator::{Accumulator, FULL, WINDOW_COLUMNS},
     chain::{CoverageEdge, State},
+    emission::Emission,
     order,
     source::{FINE_BITS, Source},
     sweep,
@@ -158,8 +159,10 @@ impl Fill<'_, '_> {
             }
             let is_complete = resume == place;
             let until = if is_complete { next_start } else { end.min(self.width) };
-            let gap = if is_complete { self.inside.of(resume_winding) * FULL } else { 0 };
-            if !self.emit(start, until, is_complete, gap, sink) {
+            // Beyond the last change there is nothing, or all.
+            let gap = is_complete.then(|| self.inside.of(resume_winding) * FULL);
+            let emission = Emission { row: self.row, start, until, is_complete, gap };
+            if !self.accumulator.emit(emission, sink) {
                 return false;
             }
             (first, winding, start) = (resume, resume_winding, until);
@@ -245,51 +248,4 @@ impl Fill<'_, '_> {
             })
             .is_ok()
     }
-
-    /// Hands over the columns `start..until` of a window, and what lies between it and the next.
-    fn emit(&mut self, start: i32, until: i32, is_complete: bool, gap: i32, sink: &mut dyn AreaSink) -> bool {
-        let row = self.row;
-        let window_end = (start + WINDOW_COLUMNS).min(until);
-        let mut sum = self.accumulator.base;
-        let mut touched = core::mem::take(&mut self.accumulator.touched);
-        let mut column = start;
-        while touched != 0 {
-            let first = touched.trailing_zeros();
-            let next = start + first.cast_signed();
-            if next >= window_end {
-                break;
-            }
-            if next > column && rounds_up(sum) && !sink.span(row, column..next, sum) {
-                return false;
-            }
-            let length = (touched >> first).trailing_ones();
-            touched = touched.checked_shr(first + length).unwrap_or(0).checked_shl(first + length).unwrap_or(0);
-            let count = (length as usize).min((window_end - next).unsigned_abs() as usize);
-            // The last is that of what follows, too, unless something changes behind the end.
-            let is_cut = count < length as usize || (first + length) as usize == WINDOW;
-            let sent = if is_cut { count } else { count - 1 };
-            let sums = self.accumulator.sums(&mut sum, first as usize, count);
-            if let Some(run) = sums.get(..sent)
-                && !run.is_empty()
-                && !sink.run(row, next, run)
-            {
-                return false;
-            }
-            column = next + i32::try_from(sent).unwrap_or(0);
-            self.accumulator.forget(first as usize, length as usize + 1);
-        }
-        self.accumulator.clear_rest(touched);
-        if is_complete && touched == 0 {
-            // Beyond the last change there is nothing, or all.
-            sum = gap;
-        }
-        let end = if is_complete { until } else { window_end };
-        end <= column || !rounds_up(sum) || sink.span(row, column..end, sum)
-    }
-}
-
-/// Whether an area is more than nothing.
-#[inline]
-fn rounds_up(area: i32) -> bool {
-    area > FULL >> 16
 }

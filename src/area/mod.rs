@@ -2,8 +2,11 @@
 
 mod accumulator;
 mod chain;
+mod circle;
 mod contour_areas;
+mod convex;
 mod division;
+mod emission;
 mod far;
 mod fill;
 mod order;
@@ -12,10 +15,14 @@ mod rounded;
 pub(crate) mod source;
 mod sweep;
 mod table;
+mod tiles;
 mod winding;
 
 pub(crate) use accumulator::WINDOW;
 pub use chain::CoverageEdge;
+pub(crate) use circle::send_circle;
 pub(crate) use contour_areas::send_contours;
+pub(crate) use convex::send_convex;
 pub(crate) use fill::{AreaSink, Inside};
 pub(crate) use rounded::Rounded;
+pub(crate) use source::vertex_position;

@@ -24,9 +24,6 @@ fn rounded(area: i32) -> u8 {
     coverage
 }
 
-/// The longest run, in whole eights.
-const LONGEST: usize = WINDOW.next_multiple_of(8);
-
 impl<S: CoverageSink> AreaSink for Rounded<'_, S> {
     fn span(&mut self, row: i32, columns: Range<i32>, area: i32) -> bool {
         let coverage = rounded(area);
@@ -41,16 +38,11 @@ impl<S: CoverageSink> AreaSink for Rounded<'_, S> {
     fn run(&mut self, row: i32, column: i32, areas: &[i32]) -> bool {
         let (x, y) = self.corner;
         let (row, column) = (y + row, x + column);
-        let mut coverage = [0; LONGEST];
+        let mut coverage = [0; WINDOW];
         for (coverage, area) in coverage.iter_mut().zip(areas) {
             *coverage = rounded(*area);
         }
-        if S::EIGHTS {
-            let eights = coverage.as_chunks::<8>().0.get(..areas.len().div_ceil(8)).unwrap_or_default();
-            self.result = self.sink.eights(row, column, eights);
-        } else {
-            self.result = self.send_parts(row, column, coverage.get(..areas.len()).unwrap_or_default());
-        }
+        self.result = self.send_parts(row, column, coverage.get(..areas.len()).unwrap_or_default());
         self.result.is_ok()
     }
 }

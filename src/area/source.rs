@@ -3,6 +3,8 @@
 //! Nothing here stores a vertex. An active edge remembers an index, and asks for the next one along the contour when it
 //! ends. So an outline that is worked out on the fly (a curve, a stroke) is as good as a slice.
 
+use fixed::types::I24F8;
+
 use crate::{
     Vertex,
     contours::{Contours, next_index},
@@ -45,6 +47,8 @@ pub(crate) enum Source<'a> {
         contours: Contours<'a>,
         origin: (i32, i32),
     },
+    /// One contour.
+    Ring(&'a [Point]),
     Outline(&'a dyn Outline),
 }
 
@@ -52,6 +56,7 @@ impl Source<'_> {
     pub(crate) fn contours(&self) -> u32 {
         match self {
             Self::Contours { contours, .. } => u32::try_from(contours.len()).unwrap_or(u32::MAX),
+            Self::Ring(_) => 1,
             Self::Outline(outline) => outline.contours(),
         }
     }
@@ -59,6 +64,7 @@ impl Source<'_> {
     pub(crate) fn first(&self, contour: u32) -> Option<u32> {
         match self {
             Self::Contours { contours, .. } => (!contours.contour(contour as usize).is_empty()).then_some(0),
+            Self::Ring(points) => (!points.is_empty()).then_some(0),
             Self::Outline(outline) => outline.first(contour),
         }
     }
@@ -70,6 +76,7 @@ impl Source<'_> {
                 let vertex = contours.contour(contour as usize).get(index as usize).copied().unwrap_or_default();
                 relative(vertex, origin)
             }
+            Self::Ring(points) => points.get(index as usize).copied().unwrap_or(Point { x: 0, y: 0 }),
             Self::Outline(outline) => outline.vertex(contour, index),
         }
     }
@@ -82,6 +89,10 @@ impl Source<'_> {
                 let vertices = contours.contour(contour as usize);
                 let next = next_index(vertices, index, is_forward);
                 (next, relative(vertices.get(next as usize).copied().unwrap_or_default(), origin))
+            }
+            Self::Ring(points) => {
+                let next = next_index(points, index, is_forward);
+                (next, points.get(next as usize).copied().unwrap_or(Point { x: 0, y: 0 }))
             }
             Self::Outline(outline) => {
                 let next = outline.next(contour, index, is_forward);
@@ -130,4 +141,11 @@ impl Source<'_> {
 fn relative(vertex: Vertex, (x, y): (i32, i32)) -> Point {
     const FINER: u32 = FINE_BITS - SUBPIXEL_BITS;
     Point { x: vertex.x.to_bits().wrapping_sub(x) << FINER, y: vertex.y.to_bits().wrapping_sub(y) << FINER }
+}
+
+/// In 2^-16 pixel.
+#[inline]
+pub(crate) fn vertex_position(vertex: Vertex) -> (i64, i64) {
+    let position = |at: I24F8| i64::from(at.to_bits()) << (FINE_BITS - SUBPIXEL_BITS);
+    (position(vertex.x), position(vertex.y))
 }

@@ -5,10 +5,7 @@ use core::hint::black_box;
 use embedded_graphics_core::geometry::Point;
 
 use crate::{
-    blend::{
-        Blend, Mix,
-        lanes::{fill, fill_eights},
-    },
+    blend::{Blend, Mix, lanes::fill},
     target::PixelRows,
 };
 
@@ -32,6 +29,9 @@ use crate::{
 /// See [`PixelRows`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct InPlace;
+
+/// Eight narrow colours fill a register of 128 bits; a microcontroller would mix them one by one.
+const IN_EIGHTS: bool = cfg!(target_pointer_width = "64");
 
 impl InPlace {
     /// Draws a run, each pixel by itself.
@@ -63,53 +63,30 @@ impl InPlace {
 }
 
 impl<C: Mix, D: PixelRows<Color = C>> Blend<D> for InPlace {
-    /// Eight narrow colours fill a register of 128 bits; a microcontroller would mix them one by one.
-    const EIGHTS: bool = cfg!(target_pointer_width = "64");
-
     #[inline]
     fn run(&self, target: &mut D, start: Point, colour: C, alphas: &[u8]) -> Result<(), D::Error> {
-        Self::run_by(target, start, alphas, move |backdrop, alpha| colour.over(backdrop, alpha));
-        Ok(())
-    }
-
-    #[inline(always)]
-    fn eights(&self, target: &mut D, start: Point, colour: C, alphas: &[[u8; 8]]) -> Result<(), D::Error> {
-        let Some(row) = target.row_from(start) else { return Ok(()) };
-        if let [alphas] = alphas
-            && let Some(eight) = row.first_chunk_mut()
-        {
-            colour.over_eight(eight, alphas);
-            return Ok(());
-        }
-        let (eights, rest) = row.as_chunks_mut();
-        colour.over_eights(eights, alphas);
-        if let Some(alphas) = alphas.get(eights.len()) {
-            mix_cut(rest, alphas, move |backdrop, alpha| colour.over(backdrop, alpha));
-        }
-        Ok(())
-    }
-
-    #[inline(always)]
-    fn span_with_sides(
-        &self,
-        target: &mut D,
-        start: Point,
-        width: u32,
-        colour: C,
-        sides: &[u8; 8],
-    ) -> Result<(), D::Error> {
-        let row = target.row_from(start);
-        let width = usize::try_from(width).unwrap_or(usize::MAX);
-        if let Some(row) = row.and_then(|row| row.get_mut(..width))
-            && let [a, b, c, d, .., e, f, g, h] = row
-        {
-            let mut eight = [*a, *b, *c, *d, *e, *f, *g, *h];
-            fill_eights(row, colour);
-            mix_sides(&mut eight, colour, sides);
-            if let [a, b, c, d, .., e, f, g, h] = row {
-                [*a, *b, *c, *d, *e, *f, *g, *h] = eight;
+        let mut alphas = alphas;
+        let mut start = start;
+        if IN_EIGHTS {
+            let Some(mut row) = target.row_from(start) else { return Ok(()) };
+            while let Some((eight, rest)) = row.split_first_chunk_mut() {
+                if let Some((first, others)) = alphas.split_first_chunk() {
+                    colour.over_eight(eight, first);
+                    (row, alphas) = (rest, others);
+                    start.x += 8;
+                    continue;
+                }
+                if !alphas.is_empty() {
+                    let mut padded = [0; 8];
+                    for (padded, alpha) in padded.iter_mut().zip(alphas) {
+                        *padded = *alpha;
+                    }
+                    colour.over_eight(eight, &padded);
+                }
+                return Ok(());
             }
         }
+        Self::run_by(target, start, alphas, move |backdrop, alpha| colour.over(backdrop, alpha));
         Ok(())
     }
 
@@ -118,12 +95,6 @@ impl<C: Mix, D: PixelRows<Color = C>> Blend<D> for InPlace {
         Self::fill_row(target, start, width, colour);
         Ok(())
     }
-}
-
-/// Both sides of a span, which are not next to each other: out of line, or the compiler mixes them in two registers, half full.
-#[inline(never)]
-fn mix_sides<C: Mix>(backdrops: &mut [C; 8], colour: C, alphas: &[u8; 8]) {
-    colour.over_eight(backdrops, alphas);
 }
 
 #[inline(always)]

@@ -79,16 +79,6 @@ pub(super) fn mix_eight_here<C: Copy>(backdrops: &mut [C; 8], alphas: &[u8; 8], 
     *backdrops = eight;
 }
 
-/// The same in a row of eights.
-#[inline(always)]
-pub(super) fn mix_eights<C: Copy>(backdrops: &mut [[C; 8]], alphas: &[[u8; 8]], mix: impl Fn(C, u8) -> C) {
-    for (backdrops, alphas) in backdrops.iter_mut().zip(alphas) {
-        // Or else the compiler takes eight eights at once, one pixel of each to a lane.
-        black_box(());
-        mix_eight(backdrops, alphas, &mix);
-    }
-}
-
 /// `slice::fill` for rows that are mostly short: eights (below eight pixels, fours), and one more that ends where the row
 /// does and may overlap the last, in the place of a loop over what is left.
 #[inline(never)]

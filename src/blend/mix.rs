@@ -5,7 +5,7 @@ use embedded_graphics_core::pixelcolor::{
     Rgb888, raw::RawData,
 };
 
-use crate::blend::lanes::{grey_lane, mix_eight, mix_eight_here, mix_eights, narrow_lane, wide_lane};
+use crate::blend::lanes::{grey_lane, mix_eight, mix_eight_here, narrow_lane, wide_lane};
 
 /// A colour that can be mixed with another: every colour of embedded-graphics, and others by implementing it.
 ///
@@ -46,12 +46,6 @@ pub trait Mix: PixelColor {
     #[inline]
     fn over_eight(self, backdrops: &mut [Self; 8], alphas: &[u8; 8]) {
         mix_eight(backdrops, alphas, |backdrop, alpha| self.over(backdrop, alpha));
-    }
-
-    /// The same for any number of eights, as many as there are of both: what all of them need is worked out once.
-    #[inline]
-    fn over_eights(self, backdrops: &mut [[Self; 8]], alphas: &[[u8; 8]]) {
-        mix_eights(backdrops, alphas, |backdrop, alpha| self.over(backdrop, alpha));
     }
 }
 
@@ -129,11 +123,6 @@ macro_rules! impl_mix {
             }
 
             over_eight!($over_eight, $mix_lane);
-
-            #[inline(never)]
-            fn over_eights(self, backdrops: &mut [[Self; 8]], alphas: &[[u8; 8]]) {
-                mix_eights(backdrops, alphas, |backdrop, alpha| $mix_lane(self, backdrop, alpha));
-            }
         })+
     };
 }

@@ -62,54 +62,12 @@ use embedded_graphics_core::{
 /// # Ok::<(), core::convert::Infallible>(())
 /// ```
 pub trait Blend<D: DrawTarget>: Copy {
-    /// Whether an [eight](Self::eights) takes no longer than two or three pixels by [`run`](Self::run): the edges of shapes are
-    /// then drawn by those and by [`span_with_sides`](Self::span_with_sides). The pixels are the same.
-    const EIGHTS: bool = false;
-
     /// Draws a pixel for each of `alphas`, of which there is at least one, from `start` to the right.
     ///
     /// # Errors
     ///
     /// The target's, at once.
     fn run(&self, target: &mut D, start: Point, colour: D::Color, alphas: &[u8]) -> Result<(), D::Error>;
-
-    /// Draws eight pixels for each of `alphas`, of which there is at least one, from `start` to the right; those of alpha 0
-    /// stay, and may lie to the right of the target.
-    ///
-    /// By itself it is [`run`](Self::run); who sets [`EIGHTS`](Self::EIGHTS) writes it, too.
-    ///
-    /// # Errors
-    ///
-    /// The target's, at once.
-    #[inline]
-    fn eights(&self, target: &mut D, start: Point, colour: D::Color, alphas: &[[u8; 8]]) -> Result<(), D::Error> {
-        self.run(target, start, colour, alphas.as_flattened())
-    }
-
-    /// Draws `width` pixels, of which there are at least eight, from `start` to the right: the first four and the last four
-    /// as `sides` tells, the others in the colour itself. Those of alpha 0 stay, as of [eights](Self::eights).
-    ///
-    /// # Errors
-    ///
-    /// The target's, at once.
-    #[inline]
-    fn span_with_sides(
-        &self,
-        target: &mut D,
-        start: Point,
-        width: u32,
-        colour: D::Color,
-        sides: &[u8; 8],
-    ) -> Result<(), D::Error> {
-        let (of_left, of_right) = sides.split_at(4);
-        let inside = right_of(start, 4);
-        let width = width.saturating_sub(8);
-        self.run(target, start, colour, of_left)?;
-        if width > 0 {
-            self.fill(target, inside, width, colour)?;
-        }
-        self.run(target, Point::new(inside.x.wrapping_add_unsigned(width), start.y), colour, of_right)
-    }
 
     /// Draws `width` pixels, of which there is at least one, in the colour itself, from `start` to the right.
     ///

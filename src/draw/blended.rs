@@ -46,45 +46,6 @@ fn run_faded<D: DrawTarget, B: Blend<D>>(
     Ok(())
 }
 
-/// The same for eight pixels.
-#[inline(never)]
-fn eights_faded<D: DrawTarget, B: Blend<D>>(
-    blend: B,
-    target: &mut D,
-    start: Point,
-    colour: D::Color,
-    coverage: &[[u8; 8]],
-    opacity: u8,
-) -> Result<(), D::Error> {
-    let mut start = start;
-    for eight in coverage {
-        blend.eights(target, start, colour, &[eight.map(|coverage| faded(coverage, opacity))])?;
-        start = right_of(start, 8);
-    }
-    Ok(())
-}
-
-/// The same for a span of at least eight pixels, and what is covered of the first four and the last four.
-#[inline(never)]
-fn sides_faded<D: DrawTarget, B: Blend<D>>(
-    blend: B,
-    target: &mut D,
-    start: Point,
-    width: u32,
-    colour: D::Color,
-    sides: &[u8; 8],
-    opacity: u8,
-) -> Result<(), D::Error> {
-    let [a, b, c, d, e, f, g, h] = sides.map(|coverage| faded(coverage, opacity));
-    let inside = right_of(start, 4);
-    let after = Point::new(inside.x.wrapping_add_unsigned(width.saturating_sub(8)), start.y);
-    blend.eights(target, start, colour, &[[a, b, c, d, 0, 0, 0, 0]])?;
-    if width > 8 {
-        blend.span(target, inside, width - 8, colour, opacity)?;
-    }
-    blend.eights(target, after, colour, &[[e, f, g, h, 0, 0, 0, 0]])
-}
-
 /// A span that is let through, or covered in part.
 #[inline(never)]
 fn span_faded<D: DrawTarget, B: Blend<D>>(
@@ -111,31 +72,6 @@ impl<D: DrawTarget, B: Blend<D>> CoverageSink for BlendedFill<'_, D, B> {
         } else {
             span_faded(self.blend, self.target, start, width, self.colour, faded(coverage, self.opacity))
         }
-    }
-
-    const EIGHTS: bool = B::EIGHTS;
-
-    #[inline(always)]
-    fn eights(&mut self, row: i32, column: i32, coverage: &[[u8; 8]]) -> Result<(), D::Error> {
-        let Self { ref mut target, blend, colour, opacity } = *self;
-        let start = Point::new(column, row);
-        if opacity == 255 {
-            blend.eights(target, start, colour, coverage)
-        } else {
-            eights_faded(blend, *target, start, colour, coverage, opacity)
-        }
-    }
-
-    #[inline(always)]
-    fn span_with_sides(&mut self, span: Span, sides: &[u8; 8]) -> Result<(), D::Error> {
-        let Self { ref mut target, blend, colour, opacity } = *self;
-        let Span { row, columns } = span;
-        let start = Point::new(columns.start, row);
-        let width = columns.end.wrapping_sub(columns.start).cast_unsigned();
-        if opacity < 255 {
-            return sides_faded(blend, *target, start, width, colour, sides, opacity);
-        }
-        blend.span_with_sides(target, start, width, colour, sides)
     }
 
     #[inline]

@@ -1,9 +1,11 @@
-//! Anti-aliased circle: both its sides are chords of it.
+//! Anti-aliased circle.
 
 use crate::{
     PixelRect,
-    coverage::{CoverageSink, NearCircle},
-    shape::{Circle, Cover, wide_circle, wide_line::pixels_between},
+    area::send_circle,
+    coverage::CoverageSink,
+    geometry::pixels_between,
+    shape::{Circle, Cover},
     span::clip_range,
 };
 
@@ -25,9 +27,7 @@ impl Cover for Circle {
         if rows.is_empty() || columns.is_empty() {
             return Ok(());
         }
-        match NearCircle::new(self.center.x.to_bits(), self.center.y.to_bits(), self.radius.to_bits()) {
-            Some(circle) => circle.send(pixels.columns, rows, columns, sink),
-            None => wide_circle::send_rows(self, rows, &columns, sink),
-        }
+        let center = (self.center.x.to_bits(), self.center.y.to_bits());
+        send_circle(center, self.radius.to_bits(), &rows, &columns, sink)
     }
 }

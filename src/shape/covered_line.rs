@@ -1,38 +1,30 @@
 //! Anti-aliased thin line: the rectangle of width 1 around it.
 //!
-//! Its corners lie half a pixel to either side of the ends, which no coordinate can say exactly. In the narrow zone they are
-//! rounded to 2^-16 pixel, and the edges have the line's own slope or are square to it, so no pixel's area is off by more
-//! than 2^-15. Beyond it, see `wide_line`.
+//! Its corners lie half a pixel to either side of the ends, which no coordinate can say exactly: they are rounded to 2^-16
+//! pixel, so no pixel's area is off by more than 2^-15.
 //!
 //! ```text
 //!          top
-//!           .-.  short
-//!     short/   \.
-//!          \     \.  long
-//!        long\     \.
+//!           .-.
+//!          /   \.
+//!      left \     \.
+//!            \.     \ right
 //!              \.   /
 //!                '.'  bottom
 //! ```
 
-use core::ops::Range;
-
 use crate::{
     PixelRect, Vertex,
-    coverage::{CoverageSink, Straight, StraightSide, send_straight},
-    geometry::{by_height, is_narrow},
-    limits::{HALF, SUBPIXEL_BITS},
-    shape::{
-        Cover, Line,
-        wide_line::{self, pixels_between},
-    },
+    area::{send_convex, vertex_position},
+    coverage::CoverageSink,
+    geometry::{by_height, pixels_between},
+    limits::HALF,
+    shape::{Cover, Line},
     span::clip_range,
 };
 
 /// Bits behind the binary point of a corner.
 const CORNER_BITS: u32 = 16;
-
-/// From 2^-16 pixel to a coordinate's 1/256.
-const FINER: u32 = CORNER_BITS - SUBPIXEL_BITS;
 
 impl Cover for Line {
     #[inline]
@@ -58,91 +50,24 @@ impl Cover for Line {
             return Ok(());
         }
         let (upper, lower) = by_height(self.start, self.end);
-        if is_narrow(upper) && is_narrow(lower) {
-            let rectangle = Rectangle::around(upper, lower);
-            let rows = clip_range(&rectangle.rows(), &rows);
-            let [left, right] = rectangle.sides();
-            send_straight(left, right, rows, &pixels.columns, &columns, sink)
-        } else {
-            wide_line::send_rows(upper, lower, &rows, &columns, sink)
-        }
+        send_convex(&corners(upper, lower), &rows, &columns, sink)
     }
 }
 
-/// In 2^-16 pixel.
-type Corner = (i64, i64);
-
-struct Rectangle {
-    top: Corner,
-    left: Corner,
-    right: Corner,
-    bottom: Corner,
-    /// From the upper end of the line to the lower.
-    dx: i64,
-    dy: i64,
-}
-
-impl Rectangle {
-    fn around(upper: Vertex, lower: Vertex) -> Self {
-        let difference = |to: i32, from: i32| i64::from(to) - i64::from(from);
-        let dx = difference(lower.x.to_bits(), upper.x.to_bits());
-        let dy = difference(lower.y.to_bits(), upper.y.to_bits());
-        let (across, up) = half_a_pixel_square_to(dx.unsigned_abs(), dy.unsigned_abs());
-        let at = |vertex: Vertex, x: i64, y: i64| {
-            ((i64::from(vertex.x.to_bits()) << FINER) + x, (i64::from(vertex.y.to_bits()) << FINER) + y)
-        };
-        if dx >= 0 {
-            Self {
-                top: at(upper, across, -up),
-                left: at(upper, -across, up),
-                right: at(lower, across, -up),
-                bottom: at(lower, -across, up),
-                dx,
-                dy,
-            }
-        } else {
-            Self {
-                top: at(upper, -across, -up),
-                left: at(lower, -across, -up),
-                right: at(upper, across, up),
-                bottom: at(lower, across, up),
-                dx,
-                dy,
-            }
-        }
-    }
-
-    /// Those that it has a part of.
-    fn rows(&self) -> Range<i32> {
-        let row = |y: i64| {
-            #[allow(clippy::cast_possible_truncation, reason = "that of a coordinate, or the next")]
-            let row = (y >> CORNER_BITS) as i32;
-            row
-        };
-        row(self.top.1)..row(self.bottom.1 - 1) + 1
-    }
-
-    /// For corners in the narrow zone, or not far from it.
-    fn sides(&self) -> [StraightSide<CORNER_BITS>; 2] {
-        #[allow(clippy::cast_possible_truncation, reason = "at most 2^29 + 2^15")]
-        let y = |corner: Corner| corner.1 as i32;
-        let end = |corner: Corner| (corner.0 << (32 - CORNER_BITS), y(corner));
-        #[allow(clippy::cast_possible_truncation, reason = "at most 2^22")]
-        let (dx, dy) = (self.dx as i32, self.dy as i32);
-        let edge =
-            |from: Corner, (dx, dy): (i32, i32), to: Corner| Straight::new(end(from), end(to), dx, dy.unsigned_abs());
-        let Self { top, left, right, bottom, .. } = *self;
-        // Along the line, and square to it.
-        let (long, square) = ((dx, dy), (if dx >= 0 { -dy } else { dy }, dx));
-        let (to_left, to_right) = if dx >= 0 { (square, long) } else { (long, square) };
-        let side = |via: Corner, direction: (i32, i32), then: (i32, i32)| {
-            let lower = (y(via) < y(bottom)).then(|| edge(via, then, bottom));
-            match lower {
-                Some(edge) if y(via) <= y(top) => StraightSide { edge, next: None },
-                next => StraightSide { edge: edge(top, direction, via), next },
-            }
-        };
-        [side(left, to_left, to_right), side(right, to_right, to_left)]
+/// The corners of the rectangle, clockwise from the topmost.
+fn corners(upper: Vertex, lower: Vertex) -> [(i64, i64); 4] {
+    let difference = |to: i32, from: i32| i64::from(to) - i64::from(from);
+    let dx = difference(lower.x.to_bits(), upper.x.to_bits());
+    let dy = difference(lower.y.to_bits(), upper.y.to_bits());
+    let (across, up) = half_a_pixel_square_to(dx.unsigned_abs(), dy.unsigned_abs());
+    let at = |vertex: Vertex, x: i64, y: i64| {
+        let position = vertex_position(vertex);
+        (position.0 + x, position.1 + y)
+    };
+    if dx >= 0 {
+        [at(upper, across, -up), at(lower, across, -up), at(lower, -across, up), at(upper, -across, up)]
+    } else {
+        [at(upper, -across, -up), at(upper, across, up), at(lower, across, up), at(lower, -across, -up)]
     }
 }
 

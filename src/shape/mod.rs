@@ -15,8 +15,6 @@ mod supersampled_polygon;
 mod table;
 mod triangle;
 mod waiting;
-mod wide_circle;
-mod wide_line;
 
 pub use crate::contours::FillRule;
 pub use active::{ActiveEdge, ActiveEdges};
@@ -69,7 +67,7 @@ pub trait Shape {
 ///
 /// For triangles, polygons and lines, the area is exact: coverage is off by at most 0.5, and by what is stated in
 /// `docs/NUMERICS.md` about many tall edges in one pixel, less than 0.01 for anything usual. That holds for contours that
-/// overlap or cross inside a pixel, too. Circles are within 1.5. Supersampled shapes count samples in place of areas.
+/// overlap or cross inside a pixel, too. Circles are within 0.6. Supersampled shapes count samples in place of areas.
 pub trait Cover {
     /// A rectangle outside which the shape covers nothing of any pixel.
     fn touched(&self) -> PixelRect;

@@ -144,46 +144,15 @@ impl CoverageSink for CheckedCoverage {
     }
 }
 
-/// Is sent eights, of which even those of nothing may only leave the clip to the right; they are taken apart into runs and spans, and
-/// checked like those.
-struct InEights(CheckedCoverage);
-
-impl CoverageSink for InEights {
-    type Error = Infallible;
-
-    const EIGHTS: bool = true;
-
-    fn span(&mut self, span: Span, coverage: u8) -> Result<(), Infallible> {
-        self.0.span(span, coverage)
-    }
-
-    fn run(&mut self, row: i32, column: i32, coverage: &[u8]) -> Result<(), Infallible> {
-        self.0.run(row, column, coverage)
-    }
-
-    fn eights(&mut self, row: i32, column: i32, coverage: &[[u8; 8]]) -> Result<(), Infallible> {
-        let PixelRect { rows, columns } = &self.0.clip;
-        assert!(
-            rows.contains(&row) && column >= columns.start,
-            "an eight in row {row}, column {column}: outside of {:?}",
-            self.0.clip
-        );
-        self.0.eights(row, column, coverage)
-    }
-}
-
 /// The coverage that a shape sends.
 pub(crate) fn coverage(shape: &impl Cover, clip: &PixelRect) -> CoverageGrid {
     coverage_within(shape, clip, clip)
 }
 
-/// The same for a clip too large to count in: all pixels must lie in `window`. A sink that wants eights is sent the same.
+/// The same for a clip too large to count in: all pixels must lie in `window`.
 pub(crate) fn coverage_within(shape: &impl Cover, clip: &PixelRect, window: &PixelRect) -> CoverageGrid {
     let mut sink = CheckedCoverage::new(clip, window);
     let Ok(()) = shape.coverage(clip, &mut sink);
-    let mut eights = InEights(CheckedCoverage::new(clip, window));
-    let Ok(()) = shape.coverage(clip, &mut eights);
-    check_same_coverage(&eights.0.grid, &sink.grid, || "in eights".to_owned());
     sink.grid
 }
 

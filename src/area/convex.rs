@@ -1,0 +1,131 @@
+//! Convex outlines: in each row there is a left side and a right one, so nothing is to be ordered, and no winding is asked for.
+//!
+//! ```text
+//!            .  vertices[0]           the left side adds what is to its right,
+//!           / \                       the right one takes it away again
+//!     left /    \ right
+//!         /     .'  row: |  /#|####|####|#\  |
+//!         \   .'
+//! ```
+
+use core::ops::Range;
+
+use crate::{
+    area::{
+        Rounded,
+        accumulator::{Accumulator, WINDOW_COLUMNS},
+        chain::CoverageEdge,
+        emission::Emission,
+        far::{Far, Vertices},
+        fill::AreaSink,
+        source::{FINE_BITS, Point, Source},
+        tiles::{REACH, for_each_tile},
+    },
+    coverage::CoverageSink,
+};
+
+/// Sends how much of each pixel of some rows and columns a convex outline covers.
+///
+/// Its `N` vertices are in 2^-16 pixel and clockwise as seen on the screen, the first of them a topmost one.
+pub(crate) fn send_convex<S: CoverageSink, const N: usize>(
+    vertices: &[(i64, i64); N],
+    rows: &Range<i32>,
+    columns: &Range<i32>,
+    sink: &mut S,
+) -> Result<(), S::Error> {
+    let corner = (columns.start, rows.start);
+    let mut rounded = Rounded { sink, corner, result: Ok(()) };
+    let size = (columns.end - columns.start, rows.end - rows.start);
+    let mut points = [Point { x: 0, y: 0 }; N];
+    let mut is_near = true;
+    for (point, vertex) in points.iter_mut().zip(vertices) {
+        let relative = |at: i64, corner: i32| at.wrapping_sub(i64::from(corner) << FINE_BITS);
+        let (x, y) = (relative(vertex.0, corner.0), relative(vertex.1, corner.1));
+        is_near &= x.unsigned_abs() <= REACH && y.unsigned_abs() <= REACH;
+        #[allow(clippy::cast_possible_truncation, reason = "where it matters, at most 2^29")]
+        let near = Point { x: x as i32, y: y as i32 };
+        *point = near;
+    }
+    if is_near {
+        fill_convex(Source::Ring(&points), size, &mut rounded);
+    } else {
+        for_each_tile(rows, columns, |tile, corner, size| {
+            rounded.corner = corner;
+            let far = Far { vertices: Vertices::Ring(vertices), tile, corner };
+            fill_convex(Source::Outline(&far), size, &mut rounded)
+        });
+    }
+    rounded.result
+}
+
+/// Sends the areas of an outline of one convex contour; see [`send_convex`].
+#[inline(never)]
+fn fill_convex(outline: Source<'_>, (width, height): (i32, i32), sink: &mut dyn AreaSink) -> bool {
+    let mut row = (outline.vertex(0, 0).y >> FINE_BITS).max(0);
+    let (mut left, mut right) = (CoverageEdge::EMPTY, CoverageEdge::EMPTY);
+    let mut rows = ConvexRows::new(width);
+    if !right.begin(&outline, (0, 0), 1, row << FINE_BITS) || !left.begin(&outline, (0, 0), -1, row << FINE_BITS) {
+        return true;
+    }
+    while row < height {
+        let row_top = row << FINE_BITS;
+        let extent = |side: &mut CoverageEdge| {
+            let low = side.advance(&outline, row_top);
+            low >> FINE_BITS..side.high >> FINE_BITS
+        };
+        let extents = (extent(&mut left), extent(&mut right));
+        let add = |accumulator: &mut Accumulator| {
+            left.add(&outline, row_top, 1, accumulator);
+            right.add(&outline, row_top, -1, accumulator);
+        };
+        if !rows.send(row, extents, add, sink) {
+            return false;
+        }
+        if left.ends || right.ends {
+            break;
+        }
+        left.leave_row();
+        right.leave_row();
+        row += 1;
+    }
+    true
+}
+
+/// Sends rows that lie between a left side and a right one.
+pub(super) struct ConvexRows {
+    accumulator: Accumulator,
+    width: i32,
+}
+
+impl ConvexRows {
+    pub(super) const fn new(width: i32) -> Self {
+        Self { accumulator: Accumulator::new(), width }
+    }
+
+    /// Sends a row; `extents` are the first and the last column of either side, which `add` adds.
+    #[inline]
+    pub(super) fn send(
+        &mut self,
+        row: i32,
+        (left, right): (Range<i32>, Range<i32>),
+        mut add: impl FnMut(&mut Accumulator),
+        sink: &mut dyn AreaSink,
+    ) -> bool {
+        let mut start = left.start.max(0);
+        let end = self.width.min(right.end.saturating_add(2));
+        while start < end {
+            self.accumulator.begin(start, 0);
+            add(&mut self.accumulator);
+            let reach = start + WINDOW_COLUMNS;
+            // Behind the column after the left side, there is nothing to add up before the right one.
+            let is_gap = left.end + 1 < reach && right.start >= reach;
+            let until = if is_gap { end.min(right.start) } else { end.min(reach) };
+            let emission = Emission { row, start, until, is_complete: is_gap, gap: None };
+            if !self.accumulator.emit(emission, sink) {
+                return false;
+            }
+            start = until;
+        }
+        true
+    }
+}
