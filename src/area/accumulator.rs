@@ -84,6 +84,35 @@ impl Steepness {
     }
 }
 
+/// What a line that crosses a whole row, from `x0` to `x1` in 2^-32 pixel, leaves of each of its columns to its right; how many
+/// there are, if there is room for them. The same bits as by an [`Accumulator`].
+#[inline]
+pub(super) fn areas_beside(
+    (x0, x1): (i64, i64),
+    steepness: impl FnOnce() -> Steepness,
+    areas: &mut [i32],
+) -> Option<usize> {
+    if column_of(x0) == column_of(x1) {
+        *areas.first_mut()? = FULL - area(within(x0) + within(x1), CELL_ONE);
+        return Some(1);
+    }
+    let (x0, x1) = (x0.min(x1), x0.max(x1));
+    let last = column_of(x1).wrapping_sub(column_of(x0)).cast_unsigned() as usize;
+    let (last_area, others) = areas.get_mut(..=last)?.split_last_mut()?;
+    let steepness = steepness();
+    let mut product = steepness.over((x0 | i64::from(u32::MAX)).wrapping_sub(x0).wrapping_add(1).cast_unsigned());
+    let per_column = steepness.over(1 << 32);
+    let (mut x, mut gone) = (within(x0), 0);
+    for here in others {
+        let at = steepness.height(product).min(CELL_ONE);
+        *here = (at << 4) - area(x + CELL_ONE, at - gone);
+        (gone, x) = (at, 0);
+        product = product.wrapping_add(per_column);
+    }
+    *last_area = FULL - area(within(x1), CELL_ONE - gone);
+    Some(last + 1)
+}
+
 /// The differences of a window.
 #[derive(Debug)]
 pub(crate) struct Accumulator {

@@ -18,7 +18,7 @@
 use core::ops::Range;
 
 use crate::area::{
-    accumulator::{Accumulator, Steepness},
+    accumulator::{Accumulator, Steepness, areas_beside},
     division::ratio,
     source::{FINE_BITS, FINE_ONE, Source},
 };
@@ -242,17 +242,22 @@ impl CoverageEdge {
         }
     }
 
+    /// What it leaves of its columns to its right, if it crosses the whole row without a vertex and there is room for all.
+    #[inline]
+    pub(super) fn areas_beside(&mut self, areas: &mut [i32]) -> Option<usize> {
+        if !self.is_single {
+            return None;
+        }
+        let Self { slope, steepness, .. } = self;
+        areas_beside((self.x_top, self.x), || known(steepness, *slope), areas)
+    }
+
     /// Adds it to a row, with a weight.
     #[inline]
     pub(super) fn add(&mut self, source: &Source<'_>, row_top: i32, weight: i32, accumulator: &mut Accumulator) {
         if self.is_single {
             let Self { slope, steepness, .. } = self;
-            accumulator.add(self.x_top, self.x, FINE_ONE, weight, || {
-                if *steepness == Steepness::NONE {
-                    *steepness = Steepness::of_step(slope.unsigned_abs());
-                }
-                *steepness
-            });
+            accumulator.add(self.x_top, self.x, FINE_ONE, weight, || known(steepness, *slope));
         } else {
             self.add_lines(source, row_top, weight, accumulator);
         }
@@ -300,6 +305,15 @@ impl Default for CoverageEdge {
 }
 
 const _: () = assert!(size_of::<CoverageEdge>() == 80);
+
+/// The steepness of an edge, which is worked out when it is first asked for.
+#[inline]
+fn known(steepness: &mut Steepness, slope: i64) -> Steepness {
+    if *steepness == Steepness::NONE {
+        *steepness = Steepness::of_step(slope.unsigned_abs());
+    }
+    *steepness
+}
 
 /// From 2^-16 pixel to 2^-32.
 #[inline]

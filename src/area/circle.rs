@@ -50,7 +50,7 @@ pub(crate) fn send_circle<S: CoverageSink>(
         longest: longest_chord(radius.unsigned_abs()),
         width: columns.end - columns.start,
     };
-    let mut rounded = Rounded { sink, corner: (columns.start, rows.start), result: Ok(()) };
+    let mut rounded = Rounded::new(sink, (columns.start, rows.start));
     circle.send(rows.end - rows.start, &mut rounded);
     rounded.result
 }
@@ -187,7 +187,7 @@ impl Circle {
             let (across, height) = (across >> 6, height >> 6);
             // In 2^-20 pixel, and 2^-17 below.
             let square = across * across + height * height;
-            (square << 11) / (3 * (to.x + from.x)).max(1)
+            divide(square << 11, (3 * (to.x + from.x)).max(1))
         } else {
             0
         };
@@ -203,9 +203,19 @@ impl Circle {
 /// The square root of a product, to 2^-30 of it.
 #[inline]
 fn root(a: u64, b: u64) -> u64 {
-    match a.checked_mul(b) {
-        Some(square) => root_of_word(square).into(),
-        None => root_of_wide(u128::from(a) * u128::from(b)),
+    if let (Ok(a), Ok(b)) = (u32::try_from(a), u32::try_from(b)) {
+        root_of_word(u64::from(a) * u64::from(b)).into()
+    } else {
+        root_of_wide(u128::from(a) * u128::from(b))
+    }
+}
+
+/// A quotient, in words of 32 bits where they are wide enough.
+#[inline]
+fn divide(a: u64, b: u64) -> u64 {
+    match (u32::try_from(a), u32::try_from(b)) {
+        (Ok(a), Ok(b)) => a.checked_div(b).unwrap_or(0).into(),
+        _ => a.checked_div(b).unwrap_or(0),
     }
 }
 

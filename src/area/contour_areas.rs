@@ -29,7 +29,7 @@ pub(crate) fn send_contours<S: CoverageSink>(
     if rows.is_empty() || columns.is_empty() {
         return Ok(());
     }
-    let mut rounded = Rounded { sink, corner: (columns.start, rows.start), result: Ok(()) };
+    let mut rounded = Rounded::new(sink, (columns.start, rows.start));
     let length = |range: &core::ops::Range<i32>| i64::from(range.end).abs_diff(i64::from(range.start)) << FINE_BITS;
     if length(&touched.rows) <= REACH && length(&touched.columns) <= REACH {
         let origin = (columns.start.wrapping_mul(ONE), rows.start.wrapping_mul(ONE));

@@ -18,9 +18,11 @@ use crate::{
         emission::Emission,
         far::{Far, Vertices},
         fill::AreaSink,
-        source::{FINE_BITS, Point, Source},
+        pair::{NO_AREAS, send_pair},
+        source::{FINE_BITS, Outline, Point, Source},
         tiles::{REACH, for_each_tile},
     },
+    contours::next_index,
     coverage::CoverageSink,
 };
 
@@ -34,7 +36,7 @@ pub(crate) fn send_convex<S: CoverageSink, const N: usize>(
     sink: &mut S,
 ) -> Result<(), S::Error> {
     let corner = (columns.start, rows.start);
-    let mut rounded = Rounded { sink, corner, result: Ok(()) };
+    let mut rounded = Rounded::new(sink, corner);
     let size = (columns.end - columns.start, rows.end - rows.start);
     let mut points = [Point { x: 0, y: 0 }; N];
     let mut is_near = true;
@@ -47,7 +49,7 @@ pub(crate) fn send_convex<S: CoverageSink, const N: usize>(
         *point = near;
     }
     if is_near {
-        fill_convex(Source::Ring(&points), size, &mut rounded);
+        fill_convex(Source::Outline(&Ring(points)), size, &mut rounded);
     } else {
         for_each_tile(rows, columns, |tile, corner, size| {
             rounded.corner = corner;
@@ -58,12 +60,33 @@ pub(crate) fn send_convex<S: CoverageSink, const N: usize>(
     rounded.result
 }
 
+/// A contour that is near.
+struct Ring<const N: usize>([Point; N]);
+
+impl<const N: usize> Outline for Ring<N> {
+    fn contours(&self) -> u32 {
+        1
+    }
+
+    fn first(&self, _: u32) -> Option<u32> {
+        Some(0)
+    }
+
+    fn next(&self, _: u32, index: u32, is_forward: bool) -> u32 {
+        next_index(&self.0, index, is_forward)
+    }
+
+    fn vertex(&self, _: u32, index: u32) -> Point {
+        self.0.get(index as usize).copied().unwrap_or(Point { x: 0, y: 0 })
+    }
+}
+
 /// Sends the areas of an outline of one convex contour; see [`send_convex`].
 #[inline(never)]
 fn fill_convex(outline: Source<'_>, (width, height): (i32, i32), sink: &mut dyn AreaSink) -> bool {
     let mut row = (outline.vertex(0, 0).y >> FINE_BITS).max(0);
     let (mut left, mut right) = (CoverageEdge::EMPTY, CoverageEdge::EMPTY);
-    let mut rows = ConvexRows::new(width);
+    let (mut rows, mut areas) = (ConvexRows::new(width), NO_AREAS);
     if !right.begin(&outline, (0, 0), 1, row << FINE_BITS) || !left.begin(&outline, (0, 0), -1, row << FINE_BITS) {
         return true;
     }
@@ -74,6 +97,18 @@ fn fill_convex(outline: Source<'_>, (width, height): (i32, i32), sink: &mut dyn 
             low >> FINE_BITS..side.high >> FINE_BITS
         };
         let extents = (extent(&mut left), extent(&mut right));
+        let (left_column, right_column) = (extents.0.start, extents.1.start);
+        if let Some(goes_on) =
+            send_pair(row, width, (&mut left, left_column), (&mut right, right_column), &mut areas, sink)
+        {
+            if !goes_on {
+                return false;
+            }
+            left.leave_row();
+            right.leave_row();
+            row += 1;
+            continue;
+        }
         let add = |accumulator: &mut Accumulator| {
             left.add(&outline, row_top, 1, accumulator);
             right.add(&outline, row_top, -1, accumulator);

@@ -17,6 +17,7 @@ use crate::area::{
     chain::{CoverageEdge, State},
     emission::Emission,
     order,
+    pair::{self, NO_AREAS, PairAreas, send_pair},
     source::{FINE_BITS, Source},
     sweep,
     table::Table,
@@ -69,6 +70,7 @@ pub(crate) fn fill(
         row: 0,
         winding: Winding::new(0),
         accumulator: Accumulator::new(),
+        pair_areas: NO_AREAS,
         swept_from: usize::MAX,
     };
     while fill.row < height {
@@ -79,7 +81,8 @@ pub(crate) fn fill(
         let old = fill.table.active;
         fill.table.start(fill.row);
         fill.table.advance(fill.row, old);
-        if !fill.send_row(sink) {
+        let goes_on = if fill.has_pairs() { fill.send_pairs(sink) } else { fill.send_row(sink) };
+        if !goes_on {
             return false;
         }
         fill.table.leave_row();
@@ -96,6 +99,7 @@ pub(super) struct Fill<'a, 's> {
     row: i32,
     pub(super) winding: Winding,
     pub(super) accumulator: Accumulator,
+    pair_areas: PairAreas,
     /// From this place on, the row has more levels than there is room for.
     swept_from: usize,
 }
@@ -104,6 +108,42 @@ impl Fill<'_, '_> {
     #[inline]
     pub(super) fn row_top(&self) -> i32 {
         self.row << FINE_BITS
+    }
+
+    /// Whether the row consists of pairs of edges that share no column, with nothing inside between two pairs.
+    #[inline]
+    fn has_pairs(&self) -> bool {
+        let (mut winding, mut next_column) = (0, 0);
+        for at in 0..self.table.active {
+            let place = self.table.place(at);
+            let Some(chain) = self.table.slots.get(place.slot as usize) else { return false };
+            let (low, high) = (place.low >> FINE_BITS, chain.high >> FINE_BITS);
+            if !chain.is_single || low < next_column || high - low >= pair::COLUMNS_AT_MOST {
+                return false;
+            }
+            let is_first = at & 1 == 0;
+            winding = if is_first { chain.direction } else { winding + chain.direction };
+            if !is_first && self.inside.of(winding.into()) != 0 {
+                return false;
+            }
+            next_column = high + 1;
+        }
+        self.table.active & 1 == 0 && next_column <= self.width
+    }
+
+    fn send_pairs(&mut self, sink: &mut dyn AreaSink) -> bool {
+        let mut at = 0;
+        while at < self.table.active {
+            let (left, right) = (self.table.place(at), self.table.place(at + 1));
+            let slots = self.table.slots.get_disjoint_mut([left.slot as usize, right.slot as usize]);
+            let Ok([left_edge, right_edge]) = slots else { return true };
+            let (left, right) = ((left_edge, left.low >> FINE_BITS), (right_edge, right.low >> FINE_BITS));
+            if send_pair(self.row, self.width, left, right, &mut self.pair_areas, sink) == Some(false) {
+                return false;
+            }
+            at += 2;
+        }
+        true
     }
 
     /// One window of columns after the other.

@@ -10,6 +10,7 @@ mod emission;
 mod far;
 mod fill;
 mod order;
+mod pair;
 mod pixel;
 mod rounded;
 pub(crate) mod source;

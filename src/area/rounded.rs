@@ -14,6 +14,14 @@ pub(crate) struct Rounded<'s, S: CoverageSink> {
     /// Column and row that are the first.
     pub(crate) corner: (i32, i32),
     pub(crate) result: Result<(), S::Error>,
+    /// Of a run on its way.
+    coverage: [u8; WINDOW],
+}
+
+impl<'s, S: CoverageSink> Rounded<'s, S> {
+    pub(crate) const fn new(sink: &'s mut S, corner: (i32, i32)) -> Self {
+        Self { sink, corner, result: Ok(()), coverage: [0; WINDOW] }
+    }
 }
 
 /// `area` is off the range from 0 to 2^24 by less than 2^15: then `255 area + 2^23` is within 0..2^32.
@@ -38,30 +46,26 @@ impl<S: CoverageSink> AreaSink for Rounded<'_, S> {
     fn run(&mut self, row: i32, column: i32, areas: &[i32]) -> bool {
         let (x, y) = self.corner;
         let (row, column) = (y + row, x + column);
-        let mut coverage = [0; WINDOW];
-        for (coverage, area) in coverage.iter_mut().zip(areas) {
+        let mut has_zeros = false;
+        for (coverage, area) in self.coverage.iter_mut().zip(areas) {
             *coverage = rounded(*area);
+            has_zeros |= *coverage == 0;
         }
-        self.result = self.send_parts(row, column, coverage.get(..areas.len()).unwrap_or_default());
+        let coverage = self.coverage.get(..areas.len()).unwrap_or_default();
+        self.result =
+            if has_zeros { send_parts(self.sink, row, column, coverage) } else { self.sink.run(row, column, coverage) };
         self.result.is_ok()
     }
 }
 
-impl<S: CoverageSink> Rounded<'_, S> {
-    /// Without what is not covered at all.
-    fn send_parts(&mut self, row: i32, mut column: i32, mut coverage: &[u8]) -> Result<(), S::Error> {
-        while let Some((first, rest)) = coverage.split_first() {
-            if *first == 0 {
-                coverage = rest;
-                column += 1;
-                continue;
-            }
-            let length = coverage.iter().position(|coverage| *coverage == 0).unwrap_or(coverage.len());
-            let (run, after) = coverage.split_at_checked(length).unwrap_or_default();
-            self.sink.run(row, column, run)?;
-            column += i32::try_from(length).unwrap_or(0);
-            coverage = after;
+/// Sends what is covered at all.
+#[inline(never)]
+fn send_parts<S: CoverageSink>(sink: &mut S, row: i32, mut column: i32, coverage: &[u8]) -> Result<(), S::Error> {
+    for part in coverage.split(|coverage| *coverage == 0) {
+        if !part.is_empty() {
+            sink.run(row, column, part)?;
         }
-        Ok(())
+        column += i32::try_from(part.len()).unwrap_or(0) + 1;
     }
+    Ok(())
 }

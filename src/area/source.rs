@@ -47,8 +47,6 @@ pub(crate) enum Source<'a> {
         contours: Contours<'a>,
         origin: (i32, i32),
     },
-    /// One contour.
-    Ring(&'a [Point]),
     Outline(&'a dyn Outline),
 }
 
@@ -56,7 +54,6 @@ impl Source<'_> {
     pub(crate) fn contours(&self) -> u32 {
         match self {
             Self::Contours { contours, .. } => u32::try_from(contours.len()).unwrap_or(u32::MAX),
-            Self::Ring(_) => 1,
             Self::Outline(outline) => outline.contours(),
         }
     }
@@ -64,7 +61,6 @@ impl Source<'_> {
     pub(crate) fn first(&self, contour: u32) -> Option<u32> {
         match self {
             Self::Contours { contours, .. } => (!contours.contour(contour as usize).is_empty()).then_some(0),
-            Self::Ring(points) => (!points.is_empty()).then_some(0),
             Self::Outline(outline) => outline.first(contour),
         }
     }
@@ -76,7 +72,6 @@ impl Source<'_> {
                 let vertex = contours.contour(contour as usize).get(index as usize).copied().unwrap_or_default();
                 relative(vertex, origin)
             }
-            Self::Ring(points) => points.get(index as usize).copied().unwrap_or(Point { x: 0, y: 0 }),
             Self::Outline(outline) => outline.vertex(contour, index),
         }
     }
@@ -89,10 +84,6 @@ impl Source<'_> {
                 let vertices = contours.contour(contour as usize);
                 let next = next_index(vertices, index, is_forward);
                 (next, relative(vertices.get(next as usize).copied().unwrap_or_default(), origin))
-            }
-            Self::Ring(points) => {
-                let next = next_index(points, index, is_forward);
-                (next, points.get(next as usize).copied().unwrap_or(Point { x: 0, y: 0 }))
             }
             Self::Outline(outline) => {
                 let next = outline.next(contour, index, is_forward);
