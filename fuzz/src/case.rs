@@ -67,7 +67,10 @@ impl Case {
     pub(crate) fn decode(bytes: &[u8], size: Size) -> Self {
         let source = &mut Source::new(bytes);
         let (bits, extent) = match size {
-            Size::Small => (source.int(5..=10), Extent { reach: 0, vertices: 8, contours: 4 }),
+            Size::Small => {
+                let bits = source.pick(&[5, 6, 7, 7, 8, 8, 8, 9, 9, 10]);
+                (bits, Extent { reach: 0, vertices: source.pick(&[4, 5, 6, 9]), contours: 3 })
+            }
             Size::Any => {
                 let vertices = source.pick(&[6, 12, 30, 200]);
                 (source.int(6..=14), Extent { reach: 0, vertices, contours: 12 })

@@ -70,13 +70,13 @@ impl Rng {
     }
 }
 
-/// So many outlines are drawn on a target before the next has its turn: about as long on each.
+/// So many outlines are drawn on a target before the next has its turn.
 fn outlines_in_turn(target: Target) -> u64 {
     match target {
-        Target::Areas => 400,
+        Target::Areas => 600,
         Target::Clips => 100,
         Target::Blends => 50,
-        Target::Pixels => 800,
+        Target::Pixels => 2000,
     }
 }
 /// Inputs that showed an outline, to be changed.
