@@ -59,6 +59,37 @@ fn the_number_of_active_edges_of_small_outlines_is_that_of_their_busiest_row() {
     assert!(crossed > 0);
 }
 
+/// Sorted, in as much room as is asked for or more, and counted, in less.
+#[test]
+fn the_number_found_by_sorting_is_the_one_that_is_counted() {
+    let needed_more = for_each_case(74, cases(100_000), |rng| {
+        let outline = match rng.index(4) {
+            0 => random::spikes(rng).0,
+            1 => {
+                let length = 3 + rng.index(60);
+                let step = rng.pick(&[1, 64, 128, 256, 300]);
+                let vertex = |rng: &mut oracle::Rng| random::vertex(rng.int(-999..=999), step * rng.int(-30..=30));
+                Outline::of(&(0..length).map(|_| vertex(rng)).collect::<Vec<_>>(), FillRule::EvenOdd)
+            }
+            _ => random::outline(rng).0,
+        };
+        outline.with_polygon(|polygon| {
+            let (active, at_most) = (polygon.active_edges(), polygon.active_edges_at_most());
+            for length in [at_most, at_most + rng.index(3), at_most.saturating_sub(1)] {
+                let found = polygon.active_edges_in(&mut vec![i32::MIN; length]);
+                assert_eq!(found, active, "active edges in {length} of {at_most}: {outline:?}");
+            }
+            let (covered, at_most) = (polygon.coverage_edges(), polygon.coverage_edges_at_most());
+            for length in [at_most, at_most + rng.index(3), at_most.saturating_sub(1)] {
+                let found = polygon.coverage_edges_in(&mut vec![i32::MIN; length]);
+                assert_eq!(found, covered, "coverage edges in {length} of {at_most}: {outline:?}");
+            }
+            Ok(u64::from(covered != active && covered < at_most))
+        })
+    });
+    assert!(needed_more > 100, "{needed_more}");
+}
+
 #[test]
 fn outlines_without_height_need_no_scratch() {
     assert_eq!(Polygon::new(&[]).active_edges(), 0);

@@ -274,6 +274,8 @@ fn draw_primitives(display: &mut Display) {
 
 fn draw_polygon(polygon: Polygon<'_>, clip: &PixelRect, display: &mut Display) -> Result<(), TooLittleScratch> {
     black_box((polygon.active_edges_at_most(), polygon.coverage_edges_at_most()));
+    let mut room = black_box([0; 16]);
+    black_box((polygon.active_edges_in(some_of(&mut room)), polygon.coverage_edges_in(some_of(&mut room))));
     push(polygon.with_capacity::<8>()?, clip, display);
     push(polygon.in_scratch(ActiveEdges::<8>::new().as_mut_slice())?, clip, display);
     let mut slots = black_box([ActiveEdge::EMPTY; 16]);

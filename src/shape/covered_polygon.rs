@@ -20,6 +20,29 @@ impl<'a> Polygon<'a> {
         self.contours.most_in_a_row()
     }
 
+    /// The same while the program runs, in room that is lent for
+    /// [`coverage_edges_at_most`](Self::coverage_edges_at_most) numbers: 4 bytes each, where a slot is 80.
+    ///
+    /// # Cost
+    ///
+    /// For `n` turns, in the order of `n log n`. With less room, what [`coverage_edges`](Self::coverage_edges) costs.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use spanfill::{Polygon, Vertex};
+    ///
+    /// // A saw of ten teeth, as a program would compute it.
+    /// let saw: [Vertex; 20] = core::array::from_fn(|i| Vertex::new(3 * i as i32, 9 * (i as i32 % 2)));
+    /// let polygon = Polygon::new(&saw);
+    /// let mut room = [0; 20];
+    /// assert!(polygon.coverage_edges_at_most() <= room.len());
+    /// assert_eq!(polygon.coverage_edges_in(&mut room), polygon.coverage_edges());
+    /// ```
+    pub fn coverage_edges_in(&self, room: &mut [i32]) -> usize {
+        self.contours.most_by_sorting(Rows::Subpixels, room).unwrap_or_else(|| self.coverage_edges())
+    }
+
     /// An amount of scratch that is enough, and with which the vertices are looked over just once, as
     /// [`active_edges_at_most`](Self::active_edges_at_most).
     pub const fn coverage_edges_at_most(&self) -> usize {

@@ -114,6 +114,12 @@ impl<'a> Polygon<'a> {
         self.contours.most_crossings(Rows::Pixels)
     }
 
+    /// The same while the program runs, in room that is lent for [`active_edges_at_most`](Self::active_edges_at_most)
+    /// numbers: 4 bytes each, where a slot is 32. See [`coverage_edges_in`](Self::coverage_edges_in).
+    pub fn active_edges_in(&self, room: &mut [i32]) -> usize {
+        self.contours.most_by_sorting(Rows::Pixels, room).unwrap_or_else(|| self.active_edges())
+    }
+
     /// An amount of scratch that is enough, and with which the vertices are looked over just once: two edges for each
     /// turn from up to down.
     pub const fn active_edges_at_most(&self) -> usize {
