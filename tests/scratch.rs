@@ -7,7 +7,7 @@ use std::error::Error;
 
 use embedded_graphics::{Drawable as _, mock_display::MockDisplay, pixelcolor::BinaryColor};
 use oracle::{Outline, block_pixels, cases, check_same, for_each_case, random, rect, span_pixels};
-use spanfill::{ActiveEdge, ActiveEdges, Fill as _, FillRule, Polygon, TooManyEdges, Vertex};
+use spanfill::{ActiveEdge, Fill as _, FillRule, Polygon, TooManyEdges, Vertex};
 
 /// An arrow head: four edges, two of them on most rows and four between the barbs.
 const ARROW: [Vertex; 4] = [Vertex::pixel(4, 0), Vertex::pixel(8, 7), Vertex::pixel(4, 4), Vertex::pixel(0, 7)];
@@ -167,20 +167,6 @@ fn a_refused_polygon_leaves_the_display_untouched() {
     };
     assert_eq!(draw(), Err(TooManyEdges { needed: 4, available: 3 }));
     assert_eq!(display.affected_area().size.width, 0);
-}
-
-#[test]
-fn an_owner_lends_all_of_its_edges() {
-    let mut edges = ActiveEdges::<ARROW_EDGES>::new();
-    assert_eq!(edges.as_mut_slice().len(), ARROW_EDGES);
-    let polygon = Polygon::new(&ARROW).fill_rule(FillRule::EvenOdd);
-    let window = rect(0..9, 0..8);
-    let expected = span_pixels(&Outline::of(&ARROW, FillRule::EvenOdd), &window);
-    for _ in 0..2 {
-        let arrow = polygon.in_scratch(edges.as_mut_slice()).unwrap();
-        check_same(&span_pixels(&arrow, &window), &expected, || "the arrow".to_owned());
-    }
-    assert!(polygon.in_scratch(ActiveEdges::<3>::new().as_mut_slice()).is_err());
 }
 
 #[test]

@@ -56,7 +56,7 @@ impl<'a> Polygon<'a> {
     /// When there are fewer slots than the outline has [`coverage_edges`](Self::coverage_edges).
     pub fn coverage_in(self, edges: &mut [CoverageEdge]) -> Result<PolygonCoverageIn<'a, '_>, TooManyEdges> {
         self.check_coverage(edges.len())?;
-        Ok(PolygonCoverageIn { polygon: self, edges: Cell::new(edges) })
+        Ok(PolygonCoverageIn::of(self, edges))
     }
 
     /// Takes scratch for anti-aliasing from the stack, while drawing.
@@ -71,7 +71,7 @@ impl<'a> Polygon<'a> {
         }
     }
 
-    const fn check_coverage(&self, available: usize) -> Result<(), TooManyEdges> {
+    pub(crate) const fn check_coverage(&self, available: usize) -> Result<(), TooManyEdges> {
         if self.coverage_edges_at_most() <= available {
             return Ok(());
         }
@@ -98,6 +98,13 @@ pub struct PolygonCoverageIn<'a, 's> {
     polygon: Polygon<'a>,
     /// Taken while drawing.
     edges: Cell<&'s mut [CoverageEdge]>,
+}
+
+impl<'a, 's> PolygonCoverageIn<'a, 's> {
+    /// In scratch that is enough.
+    pub(crate) fn of(polygon: Polygon<'a>, edges: &'s mut [CoverageEdge]) -> Self {
+        Self { polygon, edges: Cell::new(edges) }
+    }
 }
 
 impl fmt::Debug for PolygonCoverageIn<'_, '_> {

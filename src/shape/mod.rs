@@ -19,7 +19,7 @@ mod wide_circle;
 mod wide_line;
 
 pub use crate::contours::FillRule;
-pub use active::{ActiveEdge, ActiveEdges};
+pub use active::ActiveEdge;
 pub use circle::Circle;
 pub use covered_polygon::{PolygonCoverageIn, PolygonCoverageWith};
 pub use line::Line;

@@ -5,7 +5,7 @@ use core::{cell::Cell, fmt, ops::Range};
 use crate::{
     PixelRect, TooManyEdges, Vertex,
     contours::{Contours, FillRule, Rows},
-    shape::{ActiveEdge, ActiveEdges, Shape, table::Table},
+    shape::{ActiveEdge, Shape, table::Table},
     span::{BlockSink, EachSpan, MergeRows, RowSink, SpanSink, clip_range},
     subpixel::first_centre_at_or_after,
 };
@@ -133,7 +133,7 @@ impl<'a> Polygon<'a> {
     /// When it has fewer slots than the outline has [`active_edges`](Self::active_edges).
     pub fn in_scratch<'s>(self, scratch: &'s mut [ActiveEdge]) -> Result<PolygonInScratch<'a, 's>, TooManyEdges> {
         self.check(scratch.len())?;
-        Ok(PolygonInScratch { polygon: self, scratch: Cell::new(scratch) })
+        Ok(PolygonInScratch::of(self, scratch))
     }
 
     /// Takes scratch for `N` active edges from the stack, while drawing.
@@ -253,6 +253,13 @@ pub struct PolygonInScratch<'a, 's> {
     scratch: Cell<&'s mut [ActiveEdge]>,
 }
 
+impl<'a, 's> PolygonInScratch<'a, 's> {
+    /// In scratch that is enough.
+    pub(crate) fn of(polygon: Polygon<'a>, scratch: &'s mut [ActiveEdge]) -> Self {
+        Self { polygon, scratch: Cell::new(scratch) }
+    }
+}
+
 impl fmt::Debug for PolygonInScratch<'_, '_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("PolygonInScratch").field("polygon", &self.polygon).finish_non_exhaustive()
@@ -291,11 +298,11 @@ impl<const N: usize> Shape for PolygonWithCapacity<'_, N> {
     }
 
     fn spans<S: SpanSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
-        self.polygon.scan(clip, ActiveEdges::<N>::new().as_mut_slice(), &mut EachSpan(sink))
+        self.polygon.scan(clip, &mut [ActiveEdge::EMPTY; N], &mut EachSpan(sink))
     }
 
     fn blocks<S: BlockSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
-        let mut slots = ActiveEdges::<N>::new();
-        MergeRows::merged(sink, |merge| self.polygon.scan(clip, slots.as_mut_slice(), merge))
+        let mut slots = [ActiveEdge::EMPTY; N];
+        MergeRows::merged(sink, |merge| self.polygon.scan(clip, &mut slots, merge))
     }
 }
