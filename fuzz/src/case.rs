@@ -165,8 +165,10 @@ impl Figure {
         let Self::Outline(outline) = self else { return Ok(()) };
         outline.with_polygon(|polygon: Polygon<'_>| {
             let needed = polygon.coverage_edges();
-            if polygon.coverage_edges_at_most() < needed {
-                return Err(format!("coverage_edges_at_most is below coverage_edges, {needed}"));
+            let at_most = polygon.coverage_edges_at_most();
+            let sorted = polygon.coverage_edges_in(&mut vec![0; at_most]);
+            if sorted != needed || at_most < needed {
+                return Err(format!("{needed} edges are needed; by sorting {sorted}, at most {at_most}"));
             }
             let Some(available) = needed.checked_sub(1) else { return Ok(()) };
             let mut edges = vec![CoverageEdge::EMPTY; available];
