@@ -231,7 +231,7 @@ fn check_blends_of<C: PixelColor + From<C::Raw> + Mix + MixLinear>(case: &Case) 
     if in_place != read_back {
         return Err("InPlace and ReadBack draw different pixels".to_owned());
     }
-    if case.more % 4 == 0 {
+    if case.more.is_multiple_of(4) {
         let (in_place, read_back) = (blended(case, &before, Linear(InPlace)), blended(case, &before, Linear(ReadBack)));
         if in_place != read_back {
             return Err("Linear(InPlace) and Linear(ReadBack) draw different pixels".to_owned());
