@@ -238,7 +238,8 @@ impl Progress {
         self.bar.set_position(if self.is_by_outlines { outlines } else { elapsed.as_secs() });
         if self.bar.is_hidden() && elapsed.as_secs() / 60 > self.told {
             self.told = elapsed.as_secs() / 60;
-            eprintln!("{outlines} outlines, {} min", self.told);
+            let errors: Vec<String> = worst().iter().map(|(name, error)| format!("{name} {error:.4}")).collect();
+            eprintln!("{outlines} outlines, {} min; off by at most: {}", self.told, errors.join(", "));
         } else if !self.bar.is_hidden() {
             self.bar.set_message(format!("{outlines} outlines"));
         }
