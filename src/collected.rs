@@ -18,7 +18,8 @@ pub struct TooFewVertices {
 
 impl fmt::Display for TooFewVertices {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the outline needs room for {} vertices, {} available", self.needed, self.available)
+        let Self { needed, available } = self;
+        write!(f, "the outline needs room for {needed} vertices, not {available}: [Vertex::default(); {needed}]")
     }
 }
 

@@ -173,5 +173,5 @@ fn a_refused_polygon_leaves_the_display_untouched() {
 fn the_error_says_what_was_needed_and_what_there_was() {
     let error: Box<dyn Error> = Box::new(TooManyEdges { needed: 12, available: 8 });
     let text = error.to_string();
-    assert!(text.contains("12") && text.contains('8'), "{text}");
+    assert!(text.contains("12 edges, not 8") && text.contains("coverage_with::<12>"), "{text}");
 }

@@ -24,9 +24,9 @@ use crate::{
 ///     # # # # #
 /// ```
 ///
-/// The outline is borrowed. What changes while drawing is scratch for the edges that cross a row at once: from the
-/// caller ([`in_scratch`](Self::in_scratch)) or on the stack ([`with_capacity`](Self::with_capacity)). A constant
-/// outline says how much at compile time.
+/// The outline is borrowed. What changes while drawing is scratch: one [`Scratch`](crate::Scratch) that all shapes share
+/// ([`within`](Self::within)), a slice for the edges that cross a row at once ([`in_scratch`](Self::in_scratch)), or as many
+/// on the stack ([`with_capacity`](Self::with_capacity)). A constant outline says how much at compile time.
 ///
 /// Anti-aliased, it needs a slot for each chain of edges that has a part in the same row of pixels, from the caller
 /// ([`coverage_in`](Self::coverage_in)) or on the stack ([`coverage_with`](Self::coverage_with)). A pixel is covered by the
