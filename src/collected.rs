@@ -18,7 +18,8 @@ pub struct TooFewVertices {
 
 impl fmt::Display for TooFewVertices {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the outline needs room for {} vertices, {} available", self.needed, self.available)
+        let Self { needed, available } = self;
+        write!(f, "the outline needs room for {needed} vertices, not {available}: [Vertex::default(); {needed}]")
     }
 }
 
@@ -55,14 +56,22 @@ impl core::error::Error for TooFewVertices {}
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
 pub fn collect<'v>(outline: &impl Outline, vertices: &'v mut [Vertex]) -> Result<Polygon<'v>, TooFewVertices> {
+    collect_and_count(outline, vertices).map_err(|(error, _)| error)
+}
+
+/// The same; an error comes with as many edges of scratch as are enough for the polygon.
+pub(crate) fn collect_and_count<'v>(
+    outline: &impl Outline,
+    vertices: &'v mut [Vertex],
+) -> Result<Polygon<'v>, (TooFewVertices, usize)> {
     let available = vertices.len();
-    let mut room = Room { vertices, needed: 0, anchor: None, first: None };
+    let mut room = Room { vertices, needed: 0, anchor: None, first: None, turns: Turns::default() };
     outline.emit(&mut room);
-    let Room { vertices, needed, .. } = room;
+    let Room { vertices, needed, turns, .. } = room;
     let vertices: &'v [Vertex] = vertices;
     match vertices.get(..needed) {
         Some(vertices) => Ok(Polygon::new(vertices)),
-        None => Err(TooFewVertices { needed, available }),
+        None => Err((TooFewVertices { needed, available }, turns.of_closed())),
     }
 }
 
@@ -72,6 +81,7 @@ struct Room<'v> {
     /// Of all contours, and of the current one.
     anchor: Option<Vertex>,
     first: Option<Vertex>,
+    turns: Turns,
 }
 
 impl Room<'_> {
@@ -80,6 +90,42 @@ impl Room<'_> {
             *slot = vertex;
         }
         self.needed += 1;
+        self.turns.add(vertex.y.to_bits());
+    }
+}
+
+/// Counts how often a contour turns from going up to going down, or back: a chain starts at each.
+#[derive(Debug, Clone, Copy, Default)]
+struct Turns {
+    count: usize,
+    first: Option<i32>,
+    last: i32,
+    first_goes_down: Option<bool>,
+    goes_down: Option<bool>,
+}
+
+impl Turns {
+    fn add(&mut self, y: i32) {
+        if self.first.is_none() {
+            self.first = Some(y);
+        } else if y != self.last {
+            let goes_down = Some(y > self.last);
+            if self.goes_down.is_none() {
+                self.first_goes_down = goes_down;
+            } else if self.goes_down != goes_down {
+                self.count += 1;
+            }
+            self.goes_down = goes_down;
+        }
+        self.last = y;
+    }
+
+    /// With the edge from the last vertex to the first.
+    fn of_closed(mut self) -> usize {
+        if let Some(first) = self.first {
+            self.add(first);
+        }
+        self.count + usize::from(self.goes_down != self.first_goes_down)
     }
 }
 

@@ -195,6 +195,43 @@ impl<'a> Contours<'a> {
         most
     }
 
+    /// What `most_crossings` or, for rows of 1/256 pixel, `most_in_a_row` says, by sorting: none with less room than a number
+    /// for each of the [`chains`](Self::chains).
+    ///
+    /// Two chains start at each top and two end at each bottom, and a contour has as many of one as of the other. So the
+    /// chains that have a part in a row are twice the tops down to it, less twice the bottoms that lie above its part.
+    pub(crate) fn most_by_sorting(self, kind: Rows, room: &mut [i32]) -> Option<usize> {
+        let turns = room.get_mut(..self.chains(kind))?;
+        let (firsts, lasts) = turns.split_at_mut_checked(turns.len() / 2)?;
+        let (mut free_first, mut free_last) = (firsts.iter_mut(), lasts.iter_mut());
+        for index in 0..self.len() {
+            for_each_turn(self.contour(index), kind, |is_top, row| {
+                let (slot, row) = match (is_top, kind) {
+                    (true, Rows::Pixels) => (free_first.next(), row),
+                    (true, Rows::Subpixels) => (free_first.next(), row >> SUBPIXEL_BITS),
+                    // A bottom is below a top, so that there is a row above it.
+                    (false, Rows::Pixels) => (free_last.next(), row.saturating_sub(1)),
+                    (false, Rows::Subpixels) => (free_last.next(), row.saturating_sub(1) >> SUBPIXEL_BITS),
+                };
+                if let Some(slot) = slot {
+                    *slot = row;
+                }
+            });
+        }
+        sort(firsts);
+        sort(lasts);
+        let (mut most, mut active) = (0, 0_usize);
+        let mut lasts = lasts.iter().peekable();
+        for first in firsts {
+            active += 2;
+            while lasts.next_if(|last| **last < *first).is_some() {
+                active = active.saturating_sub(2);
+            }
+            most = most.max(active);
+        }
+        Some(most)
+    }
+
     /// Two edges leave every top: as many as could ever be active at once.
     pub(crate) const fn chains(self, kind: Rows) -> usize {
         let mut chains = 0;
@@ -207,6 +244,59 @@ impl<'a> Contours<'a> {
             index += 1;
         }
         chains
+    }
+}
+
+/// Names the row of each vertex where a contour turns, and whether it turns down there.
+fn for_each_turn(contour: &[Vertex], kind: Rows, mut found: impl FnMut(bool, i32)) {
+    let mut rows = contour.iter().map(|vertex| row_of(*vertex, kind));
+    let Some(mut row) = rows.next_back() else { return };
+    // By its last edge that is not flat. A contour without one has no turns.
+    let Some(mut goes_down) = rows.rev().find(|before| *before != row).map(|before| before < row) else { return };
+    for next in contour.iter().map(|vertex| row_of(*vertex, kind)) {
+        if next != row {
+            if goes_down != (next > row) {
+                goes_down = next > row;
+                found(goes_down, row);
+            }
+            row = next;
+        }
+    }
+}
+
+/// Heapsort: in place, without a worst case, without a panic path, and small.
+fn sort(numbers: &mut [i32]) {
+    for parent in (0..numbers.len() / 2).rev() {
+        sift(numbers, parent);
+    }
+    let mut heap = numbers;
+    while let [greatest, .., last] = heap {
+        core::mem::swap(greatest, last);
+        let Some((_, rest)) = heap.split_last_mut() else { return };
+        heap = rest;
+        sift(heap, 0);
+    }
+}
+
+/// Moves a number down below all that are greater.
+fn sift(heap: &mut [i32], mut parent: usize) {
+    while let Some(&number) = heap.get(parent) {
+        let child = 2 * parent + 1;
+        let (left, right) = (heap.get(child).copied(), heap.get(child + 1).copied());
+        let (child, greater) = match (left, right) {
+            (Some(left), Some(right)) if left < right => (child + 1, right),
+            (Some(left), _) => (child, left),
+            _ => return,
+        };
+        if greater <= number {
+            return;
+        }
+        for (index, value) in [(parent, greater), (child, number)] {
+            if let Some(slot) = heap.get_mut(index) {
+                *slot = value;
+            }
+        }
+        parent = child;
     }
 }
 

@@ -14,7 +14,12 @@ pub struct TooManyEdges {
 
 impl fmt::Display for TooManyEdges {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the outline needs scratch for {} active edges, {} available", self.needed, self.available)
+        let Self { needed, available } = self;
+        write!(
+            f,
+            "the outline needs scratch for {needed} edges, not {available}: with_capacity::<{needed}>, \
+             coverage_with::<{needed}>, or a slice of {needed}"
+        )
     }
 }
 

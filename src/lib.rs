@@ -10,7 +10,7 @@
 //! Cover -clip-> chains of edges -a row of pixels-> Span, run of coverage -> Blend -> fill_solid, fill_contiguous
 //!
 //! limits · subpixel · geometry, fragment · contours · angle · turn · outline · path, stroke · edge · span, error
-//! · coverage · area · shape, target · primitive, collected · blend · draw · seed_fill · attribute · paint, splat
+//! · coverage · area · shape, target · primitive, collected · scratch · blend · draw · seed_fill · attribute · paint, splat
 //! · framebuffer · band, damage · eg · methods
 //! ```
 //!
@@ -88,9 +88,22 @@
 //!
 //! # Polygons, paths and strokes
 //!
-//! A [`Polygon`] works in scratch that is lent ([`Polygon::in_scratch`], [`Polygon::coverage_in`]) or on the stack
-//! ([`Polygon::with_capacity`], [`Polygon::coverage_with`]); constants tell how much it needs. A [`Path`], a [`Stroke`]
-//! or any other [`Outline`] becomes one by [`collect`].
+//! A [`Polygon`] works in scratch. One [`Scratch`] serves all of them, one after the other, and can be a `static`; constants
+//! tell how large it has to be. A [`Path`], a [`Stroke`] or any other [`Outline`] is drawn [`within`](Within::within) it, too.
+//!
+//! ```
+//! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray4, prelude::*};
+//! use spanfill::{Over, Polygon, Scratch, Vertex, prelude::*};
+//!
+//! const ARROW: Polygon =
+//!     Polygon::new(&[Vertex::pixel(0, 0), Vertex::pixel(5, 2), Vertex::pixel(0, 4), Vertex::pixel(2, 2)]);
+//!
+//! let mut scratch = Scratch::<{ ARROW.coverage_edges() }>::new();
+//! let mut display = MockDisplay::new();
+//! ARROW.within(&mut scratch)?.antialiased(Gray4::WHITE, Over(Gray4::BLACK)).draw(&mut display)?;
+//! display.assert_pattern(&["12    ", " 7A50 ", "  BFC1", " 7A50 ", "12    "]);
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
 //!
 //! # What varies
 //!
@@ -151,6 +164,7 @@ mod outline;
 mod paint;
 mod path;
 mod primitive;
+mod scratch;
 mod seed_fill;
 mod shape;
 mod span;
@@ -197,10 +211,11 @@ pub use paint::{
 };
 pub use path::{ArcTo, Element, Path, PathError, SvgElements, Transform};
 pub use primitive::{Arc, ArcLine, CircleOutline, Ellipse, Rectangle, Ring, RoundedRectangle, Sector, TaperedLine};
+pub use scratch::{PolygonWithin, Scratch, ScratchSize, ScratchTooSmall, Within, edges_for};
 pub use seed_fill::{Connectivity, FillRegion, FillSegment, SeedFill, SeedFillError};
 pub use shape::{
-    ActiveEdge, ActiveEdges, Circle, Cover, FillRule, Line, Polygon, PolygonCoverageIn, PolygonCoverageWith,
-    PolygonEdges, PolygonInScratch, PolygonWithCapacity, SampleEdge, Shape, SupersampledIn, Triangle,
+    ActiveEdge, Circle, Cover, FillRule, Line, Polygon, PolygonCoverageIn, PolygonCoverageWith, PolygonEdges,
+    PolygonInScratch, PolygonWithCapacity, SampleEdge, Shape, SupersampledIn, Triangle,
 };
 pub use span::{BlockSink, Span, SpanSink};
 pub use stroke::{Cap, Join, Stroke, StrokeStyle};
@@ -209,5 +224,5 @@ pub use turn::Turn;
 
 /// The traits that a program which draws needs in scope.
 pub mod prelude {
-    pub use crate::{AntiAlias as _, Attributes as _, Cover as _, Fill as _, Painting as _, Shape as _};
+    pub use crate::{AntiAlias as _, Attributes as _, Cover as _, Fill as _, Painting as _, Shape as _, Within as _};
 }

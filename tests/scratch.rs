@@ -7,7 +7,7 @@ use std::error::Error;
 
 use embedded_graphics::{Drawable as _, mock_display::MockDisplay, pixelcolor::BinaryColor};
 use oracle::{Outline, block_pixels, cases, check_same, for_each_case, random, rect, span_pixels};
-use spanfill::{ActiveEdge, ActiveEdges, Fill as _, FillRule, Polygon, TooManyEdges, Vertex};
+use spanfill::{ActiveEdge, Fill as _, FillRule, Polygon, TooManyEdges, Vertex};
 
 /// An arrow head: four edges, two of them on most rows and four between the barbs.
 const ARROW: [Vertex; 4] = [Vertex::pixel(4, 0), Vertex::pixel(8, 7), Vertex::pixel(4, 4), Vertex::pixel(0, 7)];
@@ -57,6 +57,37 @@ fn the_number_of_active_edges_of_small_outlines_is_that_of_their_busiest_row() {
         if needed == expected { Ok(needed as u64) } else { Err(format!("{needed}, not {expected}: {contour:?}")) }
     });
     assert!(crossed > 0);
+}
+
+/// Sorted, in as much room as is asked for or more, and counted, in less.
+#[test]
+fn the_number_found_by_sorting_is_the_one_that_is_counted() {
+    let needed_more = for_each_case(74, cases(100_000), |rng| {
+        let outline = match rng.index(4) {
+            0 => random::spikes(rng).0,
+            1 => {
+                let length = 3 + rng.index(60);
+                let step = rng.pick(&[1, 64, 128, 256, 300]);
+                let vertex = |rng: &mut oracle::Rng| random::vertex(rng.int(-999..=999), step * rng.int(-30..=30));
+                Outline::of(&(0..length).map(|_| vertex(rng)).collect::<Vec<_>>(), FillRule::EvenOdd)
+            }
+            _ => random::outline(rng).0,
+        };
+        outline.with_polygon(|polygon| {
+            let (active, at_most) = (polygon.active_edges(), polygon.active_edges_at_most());
+            for length in [at_most, at_most + rng.index(3), at_most.saturating_sub(1)] {
+                let found = polygon.active_edges_in(&mut vec![i32::MIN; length]);
+                assert_eq!(found, active, "active edges in {length} of {at_most}: {outline:?}");
+            }
+            let (covered, at_most) = (polygon.coverage_edges(), polygon.coverage_edges_at_most());
+            for length in [at_most, at_most + rng.index(3), at_most.saturating_sub(1)] {
+                let found = polygon.coverage_edges_in(&mut vec![i32::MIN; length]);
+                assert_eq!(found, covered, "coverage edges in {length} of {at_most}: {outline:?}");
+            }
+            Ok(u64::from(covered != active && covered < at_most))
+        })
+    });
+    assert!(needed_more > 100, "{needed_more}");
 }
 
 #[test]
@@ -139,22 +170,8 @@ fn a_refused_polygon_leaves_the_display_untouched() {
 }
 
 #[test]
-fn an_owner_lends_all_of_its_edges() {
-    let mut edges = ActiveEdges::<ARROW_EDGES>::new();
-    assert_eq!(edges.as_mut_slice().len(), ARROW_EDGES);
-    let polygon = Polygon::new(&ARROW).fill_rule(FillRule::EvenOdd);
-    let window = rect(0..9, 0..8);
-    let expected = span_pixels(&Outline::of(&ARROW, FillRule::EvenOdd), &window);
-    for _ in 0..2 {
-        let arrow = polygon.in_scratch(edges.as_mut_slice()).unwrap();
-        check_same(&span_pixels(&arrow, &window), &expected, || "the arrow".to_owned());
-    }
-    assert!(polygon.in_scratch(ActiveEdges::<3>::new().as_mut_slice()).is_err());
-}
-
-#[test]
 fn the_error_says_what_was_needed_and_what_there_was() {
     let error: Box<dyn Error> = Box::new(TooManyEdges { needed: 12, available: 8 });
     let text = error.to_string();
-    assert!(text.contains("12") && text.contains('8'), "{text}");
+    assert!(text.contains("12 edges, not 8") && text.contains("coverage_with::<12>"), "{text}");
 }

@@ -397,7 +397,11 @@ fn too_little_scratch_is_refused() {
     let refused = polygon.supersampled_in(Samples::grid(4), &mut edges[1..], &mut cells).expect_err("one too few");
     assert_eq!(
         refused.to_string(),
-        format!("the outline needs scratch for {needed} active edges, {} available", needed - 1)
+        format!(
+            "the outline needs scratch for {needed} edges, not {}: with_capacity::<{needed}>, coverage_with::<{needed}>, \
+             or a slice of {needed}",
+            needed - 1
+        )
     );
     let refused = polygon.supersampled_in(Samples::grid(4), &mut edges, &mut []).expect_err("no cells");
     assert_eq!(refused, TooLittleScratch::NoCells);

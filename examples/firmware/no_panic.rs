@@ -16,10 +16,10 @@ use embedded_graphics::{
     primitives::{self as eg, CornerRadii, Rectangle, StrokeAlignment, StyledDimensions, StyledDrawable},
 };
 use spanfill::{
-    ActiveEdge, ActiveEdges, Arc, Blend, BlockSink, Cap, Circle, CircleOutline, Connectivity, Cover, CoverageEdge,
-    CoverageSink, Dither, Element, Ellipse, FillRegion, FillRule, FillSegment, FinePoint, I24F8, InPlace, Join, Line,
-    Linear, Mix, MixLinear, Outline, OutlineSink, Over, Path, PixelRect, PixelRows, Polygon, ReadBack, Ring,
-    RoundedRectangle, SampleCell, SampleEdge, Samples, Sector, SeedFill, Shape, Span, SpanSink, Stroke, StrokeStyle,
+    ActiveEdge, Arc, Blend, BlockSink, Cap, Circle, CircleOutline, Connectivity, Cover, CoverageEdge, CoverageSink,
+    Dither, Element, Ellipse, FillRegion, FillRule, FillSegment, FinePoint, I24F8, InPlace, Join, Line, Linear, Mix,
+    MixLinear, Outline, OutlineSink, Over, Path, PixelRect, PixelRows, Polygon, ReadBack, Ring, RoundedRectangle,
+    SampleCell, SampleEdge, Samples, Scratch, Sector, SeedFill, Shape, Span, SpanSink, Stroke, StrokeStyle,
     SvgElements, TaperedLine, TooLittleScratch, Transform, Triangle, Turn, Vertex, collect,
     eg::{DrawOn, Style, StyleBuilder},
     prelude::*,
@@ -274,11 +274,17 @@ fn draw_primitives(display: &mut Display) {
 
 fn draw_polygon(polygon: Polygon<'_>, clip: &PixelRect, display: &mut Display) -> Result<(), TooLittleScratch> {
     black_box((polygon.active_edges_at_most(), polygon.coverage_edges_at_most()));
+    let mut room = black_box([0; 16]);
+    black_box((polygon.active_edges_in(some_of(&mut room)), polygon.coverage_edges_in(some_of(&mut room))));
     push(polygon.with_capacity::<8>()?, clip, display);
-    push(polygon.in_scratch(ActiveEdges::<8>::new().as_mut_slice())?, clip, display);
     let mut slots = black_box([ActiveEdge::EMPTY; 16]);
     push(polygon.in_scratch(some_of(&mut slots))?, clip, display);
 
+    let mut scratch = black_box(Scratch::<8>::new());
+    if let Ok(polygon) = polygon.within(&mut scratch) {
+        cover(&polygon, clip, display);
+        push(polygon, clip, display);
+    }
     cover(&polygon.coverage_with::<8>()?, clip, display);
     let mut edges = black_box([CoverageEdge::EMPTY; 16]);
     cover(&polygon.coverage_in(some_of(&mut edges))?, clip, display);
@@ -310,6 +316,11 @@ fn outline(outline: &impl Outline, clip: &PixelRect, display: &mut Display) {
         }
     }
 
+    let mut scratch = black_box(Scratch::<8, 16>::new());
+    if let Ok(polygon) = outline.within(&mut scratch) {
+        cover(&polygon, clip, display);
+        push(polygon, clip, display);
+    }
     outline.emit(&mut Points);
     black_box((outline.extent(), outline.count()));
     let mut vertices = black_box([Vertex::from_bits(0, 0); 16]);

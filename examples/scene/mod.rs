@@ -10,7 +10,7 @@ use embedded_graphics_core::{
     geometry::{Point, Size},
     pixelcolor::Gray4,
 };
-use spanfill::{ActiveEdges, Circle, Fill, FillRule, Line, Polygon, Triangle, Vertex};
+use spanfill::{Circle, Fill, FillRule, Line, Polygon, Scratch, Triangle, Vertex, edges_for};
 
 /// The display that the scene is made for.
 #[allow(dead_code, reason = "the panel's driver knows its own size")]
@@ -82,11 +82,9 @@ const SOLID_STAR: Polygon<'static> = Polygon::new(&SOLID_STAR_OUTLINE);
 
 /// Stars drawn without lifting the pen, with one scratch that is large enough for either.
 fn draw_stars<D: DrawTarget<Color = Gray4>>(display: &mut D) -> Result<(), D::Error> {
-    const CAPACITY: usize = larger(HOLLOW_STAR.active_edges(), SOLID_STAR.active_edges());
-    let mut scratch = ActiveEdges::<CAPACITY>::new();
-
+    let mut scratch = Scratch::<{ edges_for(&[HOLLOW_STAR, SOLID_STAR]) }>::new();
     for (star, grey) in [(HOLLOW_STAR, 11), (SOLID_STAR, 15)] {
-        let star = star.in_scratch(scratch.as_mut_slice()).expect("the scratch is what the larger one needs");
+        let star = star.within(&mut scratch).expect("the scratch is what the larger one needs");
         star.filled(Gray4::new(grey)).draw(display)?;
     }
     Ok(())
@@ -202,8 +200,4 @@ const fn sin_q14(degrees: i32) -> i32 {
     let parabola = angle * (180 - angle);
     let sine = (parabola << 16) / (40500 - parabola);
     if degrees.rem_euclid(360) < 180 { sine } else { -sine }
-}
-
-const fn larger(a: usize, b: usize) -> usize {
-    if a > b { a } else { b }
 }

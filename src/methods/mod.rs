@@ -3,31 +3,14 @@
 pub mod antialias;
 pub mod attribute;
 pub mod circle;
+mod family;
 pub mod line;
 pub mod number;
 pub mod points;
 pub mod polygon;
 pub mod triangle;
 
-/// A method of the literature, as it is charted: its name, its options, and who published it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Method {
-    /// The usual name.
-    pub name: &'static str,
-    /// What can be chosen; `""` alone where nothing can.
-    pub options: &'static [&'static str],
-    /// Author, title, year.
-    pub source: &'static str,
-}
-
-/// Methods that draw the same thing, and are charted together.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Family {
-    /// What they draw.
-    pub name: &'static str,
-    /// The methods.
-    pub methods: &'static [Method],
-}
+pub use family::{Family, Method};
 
 /// Every method there is.
 pub const FAMILIES: &[Family] = &[

@@ -7,29 +7,12 @@ mod region;
 mod spans;
 mod walk;
 
-pub use region::{FillRegion, SeedFillError};
+pub use region::{Connectivity, FillRegion, SeedFillError};
 pub use spans::FillSegment;
 
 use embedded_graphics_core::{draw_target::DrawTarget, geometry::Point, image::GetPixel};
 
 use region::OnTarget;
-
-/// Which pixels are neighbours.
-///
-/// ```text
-///     . # .        # # #
-///     # o #        # o #
-///     . # .        # # #
-///     Four         Eight
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub enum Connectivity {
-    /// Those that share a side: an outline as thin as a line keeps the fill in.
-    #[default]
-    Four,
-    /// Those that share a side or a corner: the fill goes through the diagonal gaps of a thin line.
-    Eight,
-}
 
 /// Fills what can be reached from a seed: the region of neighbours of the same colour.
 ///

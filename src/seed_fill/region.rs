@@ -11,6 +11,23 @@ use embedded_graphics_core::{
 
 use crate::geometry::PixelRect;
 
+/// Which pixels are neighbours.
+///
+/// ```text
+///     . # .        # # #
+///     # o #        # o #
+///     . # .        # # #
+///     Four         Eight
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Connectivity {
+    /// Those that share a side: an outline as thin as a line keeps the fill in.
+    #[default]
+    Four,
+    /// Those that share a side or a corner: the fill goes through the diagonal gaps of a thin line.
+    Eight,
+}
+
 /// Pixels that a seed fill can look at and fill: a bitmap, a framebuffer, one with a boundary of many colours.
 ///
 /// A pixel is *open* while it is to be filled when it is reached. Only filling may change which pixels are open.

@@ -19,7 +19,10 @@ use core::ops::Range;
 
 use embedded_graphics_core::geometry::Point;
 
-use super::{Connectivity, FillRegion, SeedFillError, region::Open, walk::walk};
+use super::{
+    region::{Connectivity, FillRegion, Open, SeedFillError},
+    walk::walk,
+};
 
 /// An entry of a seed fill's stack: a row to be looked at, next to a run that has been filled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

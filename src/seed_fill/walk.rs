@@ -24,7 +24,7 @@
 //! the outer walk would not come past. From the boundary of an island, on which there may be none, the way up from
 //! its topmost pixel leads to a boundary that reaches higher.
 
-use super::{Connectivity, FillRegion, SeedFillError, region::Open};
+use super::region::{Connectivity, FillRegion, Open, SeedFillError};
 
 /// To the right, down, left and up.
 const STEPS: [(i32, i32); 4] = [(1, 0), (0, 1), (-1, 0), (0, -1)];

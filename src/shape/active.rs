@@ -1,4 +1,4 @@
-//! Scratch for active edges: what one slot holds, and an owner for slots.
+//! Scratch for active edges: what one slot holds.
 
 use core::ops::Range;
 
@@ -110,29 +110,5 @@ pub(super) fn remade<T: Track>(contour: &[Vertex], lower: u32, is_forward: bool,
     match (contour.get(next_index(contour, lower, !is_forward) as usize), contour.get(lower as usize)) {
         (Some(&upper), Some(&lower)) => T::on_row(upper, lower, row),
         _ => T::EMPTY,
-    }
-}
-
-/// Owns scratch for `N` active edges; [`as_mut_slice`](Self::as_mut_slice) lends it.
-#[derive(Debug, Clone)]
-pub struct ActiveEdges<const N: usize, T = Edge>(heapless::Vec<ActiveEdge<T>, N>);
-
-impl<const N: usize, T: Track> ActiveEdges<N, T> {
-    /// Scratch for `N` active edges.
-    #[inline]
-    pub fn new() -> Self {
-        Self(heapless::Vec::from_array([ActiveEdge::EMPTY; N]))
-    }
-
-    /// All of it.
-    #[inline]
-    pub fn as_mut_slice(&mut self) -> &mut [ActiveEdge<T>] {
-        self.0.as_mut_slice()
-    }
-}
-
-impl<const N: usize, T: Track> Default for ActiveEdges<N, T> {
-    fn default() -> Self {
-        Self::new()
     }
 }

@@ -20,6 +20,29 @@ impl<'a> Polygon<'a> {
         self.contours.most_in_a_row()
     }
 
+    /// The same while the program runs, in room that is lent for
+    /// [`coverage_edges_at_most`](Self::coverage_edges_at_most) numbers: 4 bytes each, where a slot is 80.
+    ///
+    /// # Cost
+    ///
+    /// For `n` turns, in the order of `n log n`. With less room, what [`coverage_edges`](Self::coverage_edges) costs.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use spanfill::{Polygon, Vertex};
+    ///
+    /// // A saw of ten teeth, as a program would compute it.
+    /// let saw: [Vertex; 20] = core::array::from_fn(|i| Vertex::new(3 * i as i32, 9 * (i as i32 % 2)));
+    /// let polygon = Polygon::new(&saw);
+    /// let mut room = [0; 20];
+    /// assert!(polygon.coverage_edges_at_most() <= room.len());
+    /// assert_eq!(polygon.coverage_edges_in(&mut room), polygon.coverage_edges());
+    /// ```
+    pub fn coverage_edges_in(&self, room: &mut [i32]) -> usize {
+        self.contours.most_by_sorting(Rows::Subpixels, room).unwrap_or_else(|| self.coverage_edges())
+    }
+
     /// An amount of scratch that is enough, and with which the vertices are looked over just once, as
     /// [`active_edges_at_most`](Self::active_edges_at_most).
     pub const fn coverage_edges_at_most(&self) -> usize {
@@ -33,7 +56,7 @@ impl<'a> Polygon<'a> {
     /// When there are fewer slots than the outline has [`coverage_edges`](Self::coverage_edges).
     pub fn coverage_in(self, edges: &mut [CoverageEdge]) -> Result<PolygonCoverageIn<'a, '_>, TooManyEdges> {
         self.check_coverage(edges.len())?;
-        Ok(PolygonCoverageIn { polygon: self, edges: Cell::new(edges) })
+        Ok(PolygonCoverageIn::of(self, edges))
     }
 
     /// Takes scratch for anti-aliasing from the stack, while drawing.
@@ -48,7 +71,7 @@ impl<'a> Polygon<'a> {
         }
     }
 
-    const fn check_coverage(&self, available: usize) -> Result<(), TooManyEdges> {
+    pub(crate) const fn check_coverage(&self, available: usize) -> Result<(), TooManyEdges> {
         if self.coverage_edges_at_most() <= available {
             return Ok(());
         }
@@ -75,6 +98,13 @@ pub struct PolygonCoverageIn<'a, 's> {
     polygon: Polygon<'a>,
     /// Taken while drawing.
     edges: Cell<&'s mut [CoverageEdge]>,
+}
+
+impl<'a, 's> PolygonCoverageIn<'a, 's> {
+    /// In scratch that is enough.
+    pub(crate) fn of(polygon: Polygon<'a>, edges: &'s mut [CoverageEdge]) -> Self {
+        Self { polygon, edges: Cell::new(edges) }
+    }
 }
 
 impl fmt::Debug for PolygonCoverageIn<'_, '_> {

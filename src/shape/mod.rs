@@ -17,7 +17,7 @@ mod triangle;
 mod waiting;
 
 pub use crate::contours::FillRule;
-pub use active::{ActiveEdge, ActiveEdges};
+pub use active::ActiveEdge;
 pub use circle::Circle;
 pub use covered_polygon::{PolygonCoverageIn, PolygonCoverageWith};
 pub use line::Line;

@@ -5,7 +5,7 @@ use core::{cell::Cell, fmt, ops::Range};
 use crate::{
     PixelRect, TooManyEdges, Vertex,
     contours::{Contours, FillRule, Rows},
-    shape::{ActiveEdge, ActiveEdges, Shape, table::Table},
+    shape::{ActiveEdge, Shape, table::Table},
     span::{BlockSink, EachSpan, MergeRows, RowSink, SpanSink, clip_range},
     subpixel::first_centre_at_or_after,
 };
@@ -24,9 +24,9 @@ use crate::{
 ///     # # # # #
 /// ```
 ///
-/// The outline is borrowed. What changes while drawing is scratch for the edges that cross a row at once: from the
-/// caller ([`in_scratch`](Self::in_scratch)) or on the stack ([`with_capacity`](Self::with_capacity)). A constant
-/// outline says how much at compile time.
+/// The outline is borrowed. What changes while drawing is scratch: one [`Scratch`](crate::Scratch) that all shapes share
+/// ([`within`](Self::within)), a slice for the edges that cross a row at once ([`in_scratch`](Self::in_scratch)), or as many
+/// on the stack ([`with_capacity`](Self::with_capacity)). A constant outline says how much at compile time.
 ///
 /// Anti-aliased, it needs a slot for each chain of edges that has a part in the same row of pixels, from the caller
 /// ([`coverage_in`](Self::coverage_in)) or on the stack ([`coverage_with`](Self::coverage_with)). A pixel is covered by the
@@ -114,6 +114,12 @@ impl<'a> Polygon<'a> {
         self.contours.most_crossings(Rows::Pixels)
     }
 
+    /// The same while the program runs, in room that is lent for [`active_edges_at_most`](Self::active_edges_at_most)
+    /// numbers: 4 bytes each, where a slot is 32. See [`coverage_edges_in`](Self::coverage_edges_in).
+    pub fn active_edges_in(&self, room: &mut [i32]) -> usize {
+        self.contours.most_by_sorting(Rows::Pixels, room).unwrap_or_else(|| self.active_edges())
+    }
+
     /// An amount of scratch that is enough, and with which the vertices are looked over just once: two edges for each
     /// turn from up to down.
     pub const fn active_edges_at_most(&self) -> usize {
@@ -127,7 +133,7 @@ impl<'a> Polygon<'a> {
     /// When it has fewer slots than the outline has [`active_edges`](Self::active_edges).
     pub fn in_scratch<'s>(self, scratch: &'s mut [ActiveEdge]) -> Result<PolygonInScratch<'a, 's>, TooManyEdges> {
         self.check(scratch.len())?;
-        Ok(PolygonInScratch { polygon: self, scratch: Cell::new(scratch) })
+        Ok(PolygonInScratch::of(self, scratch))
     }
 
     /// Takes scratch for `N` active edges from the stack, while drawing.
@@ -247,6 +253,13 @@ pub struct PolygonInScratch<'a, 's> {
     scratch: Cell<&'s mut [ActiveEdge]>,
 }
 
+impl<'a, 's> PolygonInScratch<'a, 's> {
+    /// In scratch that is enough.
+    pub(crate) fn of(polygon: Polygon<'a>, scratch: &'s mut [ActiveEdge]) -> Self {
+        Self { polygon, scratch: Cell::new(scratch) }
+    }
+}
+
 impl fmt::Debug for PolygonInScratch<'_, '_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("PolygonInScratch").field("polygon", &self.polygon).finish_non_exhaustive()
@@ -285,11 +298,11 @@ impl<const N: usize> Shape for PolygonWithCapacity<'_, N> {
     }
 
     fn spans<S: SpanSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
-        self.polygon.scan(clip, ActiveEdges::<N>::new().as_mut_slice(), &mut EachSpan(sink))
+        self.polygon.scan(clip, &mut [ActiveEdge::EMPTY; N], &mut EachSpan(sink))
     }
 
     fn blocks<S: BlockSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
-        let mut slots = ActiveEdges::<N>::new();
-        MergeRows::merged(sink, |merge| self.polygon.scan(clip, slots.as_mut_slice(), merge))
+        let mut slots = [ActiveEdge::EMPTY; N];
+        MergeRows::merged(sink, |merge| self.polygon.scan(clip, &mut slots, merge))
     }
 }

@@ -82,8 +82,8 @@ pub(super) fn verdicts(rows: &Rows, queries: &[Query]) -> Vec<Verdict> {
         }
     }
     for pair in queries.windows(2) {
-        let growth = pair[1].exact_ns / pair[0].exact_ns;
-        let what = format!("coverage_edges: growth from {} to {} vertices", pair[0].vertices, pair[1].vertices);
+        let growth = pair[1].sorted_ns / pair[0].sorted_ns;
+        let what = format!("coverage_edges_in: growth from {} to {} vertices", pair[0].vertices, pair[1].vertices);
         add(what, QUERY_GROWTH, Some(growth));
     }
     verdicts

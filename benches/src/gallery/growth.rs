@@ -11,6 +11,8 @@ use crate::{drawings::noisy_chart, timing::timed};
 pub(crate) struct Query {
     pub(crate) vertices: usize,
     pub(crate) exact_ns: f64,
+    /// By sorting.
+    pub(crate) sorted_ns: f64,
     pub(crate) bound_ns: f64,
 }
 
@@ -24,12 +26,13 @@ fn query(samples: i32) -> Query {
     let chart = noisy_chart(samples - 2);
     let outline: Vec<Vertex> = chart.shapes[0].contours[0].iter().map(|&[x, y]| Vertex::from_bits(x, y)).collect();
     let polygon = Polygon::new(&outline);
-    let best = |question: fn(&Polygon<'_>) -> usize| {
+    let mut room = vec![0; polygon.coverage_edges_at_most()];
+    let mut best = |question: fn(&Polygon<'_>, &mut [i32]) -> usize| {
         let mut best = Duration::MAX;
         let mut spent = Duration::ZERO;
         while spent < Duration::from_millis(20) {
             let time = timed(|| {
-                black_box(question(black_box(&polygon)));
+                black_box(question(black_box(&polygon), &mut room));
             });
             best = best.min(time);
             spent += time;
@@ -38,7 +41,8 @@ fn query(samples: i32) -> Query {
     };
     Query {
         vertices: outline.len(),
-        exact_ns: best(|polygon| polygon.coverage_edges()),
-        bound_ns: best(|polygon| polygon.coverage_edges_at_most()),
+        exact_ns: best(|polygon, _| polygon.coverage_edges()),
+        sorted_ns: best(|polygon, room| polygon.coverage_edges_in(room)),
+        bound_ns: best(|polygon, _| polygon.coverage_edges_at_most()),
     }
 }
