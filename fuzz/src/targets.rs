@@ -105,7 +105,7 @@ pub fn worst() -> [(&'static str, f64); 3] {
         .map(|(name, worst)| (name, f64::from_bits(worst.load(Ordering::Relaxed))))
 }
 
-const CIRCLES: Tolerance = Tolerance { few: 1.5, many: 1.5 };
+const CIRCLES: Tolerance = Tolerance { few: 1.5, many: 0.6 };
 
 /// Every so manieth case is held against the slow, exact oracle, too, and sent in eights.
 const EXACTLY: usize = 256;

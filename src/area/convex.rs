@@ -12,12 +12,11 @@ use core::ops::Range;
 
 use crate::{
     area::{
-        Rounded,
+        AreaSink, Rounded,
         accumulator::{Accumulator, WINDOW_COLUMNS},
         chain::CoverageEdge,
         emission::Emission,
         far::{Far, Vertices},
-        fill::AreaSink,
         pair::{NO_AREAS, send_pair},
         source::{FINE_BITS, Outline, Point, Source},
         tiles::{REACH, for_each_tile},
