@@ -179,7 +179,7 @@ pub use blend::{Blend, Dither, InPlace, Linear, Mix, MixLinear, Over, ReadBack};
 pub use collected::{TooFewVertices, collect};
 pub use coverage::{CoverageSink, SampleCell, Samples};
 pub use damage::Damage;
-pub use draw::{AntiAlias, AntiAliased, Fill, Filled};
+pub use draw::{AntiAlias, AntiAliased, Bounded, Fill, Filled};
 pub use error::{TooLittleScratch, TooManyEdges};
 pub use fixed::types::I24F8;
 pub use fragment::{Fragment, FragmentSink};
