@@ -13,8 +13,9 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 use spanfill::{
-    AntiAlias, AntiAliased, Band, Bands, Blend, Bounded, Canvas, Circle, Fill, FillRule, Filled, Framebuffer, InPlace, Line, MsbFirst, Polygon, PolygonCoverageWith, PolygonWithCapacity, Rows,
-    Triangle, Values, Vertex, buffer_size,
+    AntiAlias, AntiAliased, Band, Bands, Blend, BlockSink, Bounded, Canvas, Circle, Fill, FillRule, Filled,
+    Framebuffer, InPlace, Line, MsbFirst, Polygon, PolygonCoverageWith, PolygonWithCapacity, Rows, Triangle, Values,
+    Vertex, buffer_size,
 };
 
 use crate::{
@@ -60,17 +61,18 @@ fn values() -> Framebuffer<Rgb565, Values, Vec<Rgb565>> {
     Framebuffer::new(vec![Rgb565::BLACK; BYTES / 2], SCREEN).expect("as large as is needed")
 }
 
-/// Spans of one row at every column in turn.
+/// Spans of one row at every column in turn: by `fill_solid`, and as a shape sends them, which are clipped already.
 fn spans(rounds: u32) -> String {
-    let mut table = "| span, RGB565 | `slice::fill` | bytes | values | `slice::fill` / bytes | `slice::fill` / values |\n\
+    let mut table =
+        "| span, RGB565 | `slice::fill` | it / `fill_solid`, bytes | values | it / a shape's span, bytes | values |\n\
                      |--:|--:|--:|--:|--:|--:|\n"
-        .to_owned();
+            .to_owned();
     for width in [8, 16, 32, 64, 96, 128, 200] {
         let starts = || (0..200_u32).map(|row| (row * 7 % (SCREEN.width - width + 1), row));
-        let area = |(x, y): (u32, u32)| Rectangle::new(Point::new(x as i32, y as i32), Size::new(width, 1));
         let mut plain = vec![0_u16; BYTES / 2];
         let (mut packed, mut values) = (packed(), values());
-        let [slice, bytes, values] = best(
+        let (mut packed_again, mut values_again) = (self::packed(), self::values());
+        let [slice, solid, solid_values, span, span_values] = best(
             rounds,
             [
                 &mut || {
@@ -79,28 +81,35 @@ fn spans(rounds: u32) -> String {
                         black_box(&mut plain)[start..start + width as usize].fill(black_box(0xFD20));
                     }
                 },
-                &mut || {
-                    starts().for_each(|at| {
-                        let Ok(()) = black_box(&mut packed).fill_solid(&area(at), black_box(COLOUR));
-                    });
-                },
-                &mut || {
-                    starts().for_each(|at| {
-                        let Ok(()) = black_box(&mut values).fill_solid(&area(at), black_box(COLOUR));
-                    });
-                },
+                &mut || solids(black_box(&mut packed), starts(), width),
+                &mut || solids(black_box(&mut values), starts(), width),
+                &mut || blocks(&mut packed_again.solid(black_box(COLOUR)), starts(), width),
+                &mut || blocks(&mut values_again.solid(black_box(COLOUR)), starts(), width),
             ],
         )
         .map(|time| time / 200.0);
-        let ratios = [bytes, values].map(|time| slice / time);
-        let [in_bytes, in_values] = ratios;
-        writeln!(
-            table,
-            "| {width} px | {slice:.1} ns | {bytes:.1} ns | {values:.1} ns | {in_bytes:.2} | {in_values:.2} |"
-        )
-        .expect("text");
+        let [solid, solid_values, span, span_values] =
+            [solid, solid_values, span, span_values].map(|time| format!("{:.2}", slice / time));
+        writeln!(table, "| {width} px | {slice:.1} ns | {solid} | {solid_values} | {span} | {span_values} |")
+            .expect("text");
     }
     table
+}
+
+#[inline(always)]
+fn solids(target: &mut impl DrawTarget<Color = Rgb565>, starts: impl Iterator<Item = (u32, u32)>, width: u32) {
+    for (x, y) in starts {
+        let area = Rectangle::new(Point::new(x as i32, y as i32), Size::new(width, 1));
+        assert!(target.fill_solid(&area, black_box(COLOUR)).is_ok());
+    }
+}
+
+#[inline(always)]
+fn blocks(sink: &mut impl BlockSink, starts: impl Iterator<Item = (u32, u32)>, width: u32) {
+    for (x, y) in starts.map(black_box) {
+        let (x, y) = (x as i32, y as i32);
+        assert!(sink.block(y..y + 1, x..x + width as i32).is_ok());
+    }
 }
 
 fn clears(rounds: u32) -> String {
@@ -208,10 +217,8 @@ fn bands(rounds: u32) -> String {
     let mut table = "| scene, RGB565 in bytes | filled at once | in bands of 8 rows | times | blended at once | in bands | times |\n\
                      |---|--:|--:|--:|--:|--:|--:|\n"
         .to_owned();
-    let mut scenes = vec![
-        ("600 shapes of 10 px".to_owned(), shapes(true)),
-        ("120 shapes of 50 px".to_owned(), shapes(false)),
-    ];
+    let mut scenes =
+        vec![("600 shapes of 10 px".to_owned(), shapes(true)), ("120 shapes of 50 px".to_owned(), shapes(false))];
     for (name, bytes) in drawings::DRAWINGS {
         if !["coast", "stroked-world"].contains(&name) {
             scenes.push((name.to_owned(), outlines(&drawings::load(bytes))));
@@ -222,9 +229,12 @@ fn bands(rounds: u32) -> String {
             let mut frame = packed();
             let buffer = vec![0; buffer_size::<Rgb565, Packed>(SCREEN.width, BAND_ROWS)];
             let mut bands = Bands::new([buffer], SCREEN, Rgb565::BLACK).expect("a band has room");
-            best(rounds / 4 + 3, [&mut || work(black_box(items), &mut frame), &mut || {
-                in_bands(black_box(items), &mut bands);
-            }])
+            best(
+                rounds / 4 + 3,
+                [&mut || work(black_box(items), &mut frame), &mut || {
+                    in_bands(black_box(items), &mut bands);
+                }],
+            )
         };
         let [at_once, in_bands] = of(
             |items, frame| whole(items, frame, |item, frame| item.draw(frame)),

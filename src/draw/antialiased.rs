@@ -145,7 +145,11 @@ impl<S: Cover, C: PixelColor, B> AntiAliased<S, C, B> {
 
     /// What of it lies in the clip, which is the target's.
     #[inline]
-    pub(super) fn blend_clipped<D: DrawTarget<Color = C>>(&self, clip: &PixelRect, target: &mut D) -> Result<(), D::Error>
+    pub(super) fn blend_clipped<D: DrawTarget<Color = C>>(
+        &self,
+        clip: &PixelRect,
+        target: &mut D,
+    ) -> Result<(), D::Error>
     where
         B: Blend<D>,
     {
