@@ -19,8 +19,9 @@ use embedded_graphics::{
 };
 use proptest::{collection::vec, prelude::*};
 use spanfill::{
-    Band, Bands, Blend, Bounded, Canvas, Circle, Damage, FrameError, Framebuffer, FramebufferError, InPlace, Layout, Line,
-    LsbFirst, MsbFirst, PackedColor, Pages, PixelRect, Polygon, Rows, Transfer, Transmit, Triangle, Values, prelude::*,
+    Band, Bands, Blend, Bounded, Canvas, Circle, Damage, FrameError, Framebuffer, FramebufferError, InPlace, Layout,
+    Line, LsbFirst, MsbFirst, PackedColor, Pages, PixelRect, Polygon, Rows, Transfer, Transmit, Triangle, Values,
+    prelude::*,
 };
 
 const SCREEN: Size = Size::new(61, 48);
@@ -388,6 +389,22 @@ fn an_error_ends_its_frame_only() {
             scene_fails,
         );
         assert_eq!(run(pin!(frame), 1000), Some(Err(FrameError::Scene("the scene"))));
+
+        let (bus, flushed) = (Bus::new(1), Cell::new(0));
+        let frame = bands.draw_async(
+            |band| scene().draw(band),
+            async |band| {
+                if flushed.replace(flushed.get() + 1) == fails_at {
+                    yield_once().await;
+                    return Err("the bus is gone");
+                }
+                let Ok(()) = bus.send(band.units()).await;
+                Ok(())
+            },
+        );
+        assert_eq!(run(pin!(frame), 1000), Some(Err(FrameError::Flush("the bus is gone"))));
+        assert_eq!(flushed.get(), fails_at + 1, "nothing is sent after an error");
+        assert!(bus.sent.take() == expected[..fails_at * 61 * 2 * 5]);
 
         let dma = Dma { fails_at: Some(fails_at + 1), ..Dma::default() };
         let (dma, failed) = bands.draw_by_transfers(dma, |band| scene().draw(band));

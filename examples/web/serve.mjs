@@ -56,8 +56,12 @@ server.listen(Number(port), "127.0.0.1", async () => {
   const profile = mkdtempSync(join(tmpdir(), "spanfill-web-"));
   const flags =
     "--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking " +
-    "--disable-component-update --disable-sync";
-  const browser = spawn(chromium, [...flags.split(" "), `--user-data-dir=${profile}`, `${address}?test`], { stdio: "ignore" });
+    "--disable-component-update --disable-sync --disable-dev-shm-usage";
+  const browser = spawn(chromium, [...flags.split(" "), `--user-data-dir=${profile}`, `${address}?test`], {
+    stdio: ["ignore", "ignore", "pipe"],
+  });
+  let complaints = "";
+  browser.stderr.on("data", (text) => (complaints = (complaints + text).slice(-2_000)));
   const said = await new Promise((resolve) => {
     finish = resolve;
     browser.on("error", (error) => resolve(`the browser did not start: ${error}`));
@@ -65,9 +69,9 @@ server.listen(Number(port), "127.0.0.1", async () => {
     setTimeout(() => resolve(`the page was not done after ${TIMEOUT_MS / 1000} s`), TIMEOUT_MS).unref();
   });
   browser.removeAllListeners("exit");
+  // One that did not start, or has ended, says nothing more.
   const ended = new Promise((resolve) => browser.on("exit", resolve));
-  browser.kill();
-  await ended;
+  if (browser.kill()) await ended;
   rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
   server.close();
   server.closeAllConnections();
@@ -77,6 +81,7 @@ server.listen(Number(port), "127.0.0.1", async () => {
   }
   for (const failure of failures.slice(0, 20)) console.error(failure);
   const isGood = failures.length === 0 && wanted.size > 0;
+  if (!isGood) console.error(`The browser's last words:\n${complaints}`);
   console.log(`${equal.size} of ${wanted.size} canvases equal the host's, pixel for pixel: ${isGood ? "passed" : "FAILED"}`);
   process.exitCode = isGood ? 0 : 1;
 });
