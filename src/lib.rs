@@ -101,7 +101,8 @@
 //! # Memory
 //!
 //! A [`Framebuffer`] holds a screen as the display takes it, [`Bands`] a few of its rows, and [`Damage`] what has
-//! changed. `draw_on` fills their memory where a shape is walked.
+//! changed. `draw_on` fills their memory where a shape is walked. What is [`Bounded`] costs a comparison on a band that it is
+//! not on.
 //!
 //! # Features
 //!

@@ -27,8 +27,8 @@ use embedded_graphics::{
 };
 use panic_semihosting as _;
 use spanfill::{
-    AntiAlias, Bands, Bounded, Circle, Cover, Fill, Framebuffer, InPlace, Line, LsbFirst, MsbFirst, Pages, ReadBack, Rows, Shape,
-    Triangle, Values, Vertex, buffer_size,
+    AntiAlias, Bands, Bounded, Circle, Cover, Fill, Framebuffer, InPlace, Line, LsbFirst, MsbFirst, Pages, ReadBack,
+    Rows, Shape, Triangle, Values, Vertex, buffer_size,
 };
 
 use instruction_counter::InstructionCounter;
@@ -197,7 +197,8 @@ fn in_bands(host: &mut HostStream, bench: &mut Bench) {
     .expect("text");
     let pixel = |[x, y]: PixelPoint| Point::new(x, y);
     for px in [10, 50] {
-        let shapes = take::<_, SHAPES>(triangles(px).map(|corners| corners.map(pixel)).map(|[a, b, c]| Triangle::new(a, b, c)));
+        let shapes =
+            take::<_, SHAPES>(triangles(px).map(|corners| corners.map(pixel)).map(|[a, b, c]| Triangle::new(a, b, c)));
         split(host, bench, Scene::Triangles(px), &shapes);
     }
     for px in [5, 20] {
@@ -225,8 +226,9 @@ fn split<S: Shape + Cover + Copy>(host: &mut HostStream, bench: &mut Bench, scen
     let kept = shapes.map(|shape| Bounded::new(shape.filled(COLOUR)));
     let mut count = |draw: &dyn Fn(&mut Band<'_>)| {
         let mut buffer = [0; buffer_size::<Rgb565, Rows<MsbFirst>>(320, 8)];
-        let mut bands = Bands::<Rgb565, Rows<MsbFirst>, _, 1>::new([&mut buffer[..]], Size::new(320, 240), Rgb565::BLACK)
-            .expect("a line at least");
+        let mut bands =
+            Bands::<Rgb565, Rows<MsbFirst>, _, 1>::new([&mut buffer[..]], Size::new(320, 240), Rgb565::BLACK)
+                .expect("a line at least");
         let mut count = |draw: &dyn Fn(&mut Band<'_>)| {
             counter.count(&[()], |()| {
                 let drawn = bands.draw(
