@@ -114,7 +114,8 @@
 //! # Memory
 //!
 //! A [`Framebuffer`] holds a screen as the display takes it, [`Bands`] a few of its rows, and [`Damage`] what has
-//! changed. `draw_on` fills their memory where a shape is walked.
+//! changed. `draw_on` fills their memory where a shape is walked. What is [`Bounded`] costs a comparison on a band that it is
+//! not on.
 //!
 //! # Features
 //!
@@ -193,7 +194,7 @@ pub use blend::{Blend, Dither, InPlace, Linear, Mix, MixLinear, Over, ReadBack};
 pub use collected::{TooFewVertices, collect};
 pub use coverage::{CoverageSink, SampleCell, Samples};
 pub use damage::Damage;
-pub use draw::{AntiAlias, AntiAliased, Fill, Filled};
+pub use draw::{AntiAlias, AntiAliased, Bounded, Fill, Filled};
 pub use error::{TooLittleScratch, TooManyEdges};
 pub use fixed::types::I24F8;
 pub use fragment::{Fragment, FragmentSink};

@@ -19,8 +19,9 @@ use embedded_graphics::{
 };
 use proptest::{collection::vec, prelude::*};
 use spanfill::{
-    Band, Bands, Blend, Canvas, Circle, Damage, FrameError, Framebuffer, FramebufferError, InPlace, Layout, Line,
-    LsbFirst, MsbFirst, PackedColor, Pages, Rows, Transfer, Transmit, Triangle, Values, prelude::*,
+    Band, Bands, Blend, Bounded, Canvas, Circle, Damage, FrameError, Framebuffer, FramebufferError, InPlace, Layout,
+    Line, LsbFirst, MsbFirst, PackedColor, Pages, PixelRect, Polygon, Rows, Transfer, Transmit, Triangle, Values,
+    prelude::*,
 };
 
 const SCREEN: Size = Size::new(61, 48);
@@ -238,6 +239,48 @@ proptest! {
         check_split::<BinaryColor, Pages<LsbFirst>>(&scene, rows % 7 + 1, pending);
     }
 
+    /// What knows its bounds draws what it draws without, and nothing where it is not.
+    #[test]
+    fn bounded_drawings_are_the_same(scene in scenes(), rows in 1..20_u32) {
+        let [a, b, c] = scene.corners;
+        let [fill, edge, ..] = scene.colours.map(<Rgb565 as PackedColor>::from_bits);
+        let outline = [a, b, scene.centre, c].map(spanfill::Vertex::from);
+        let text = Text::new("bands", scene.centre, MonoTextStyle::new(&FONT_6X10, edge));
+        let polygon = Polygon::new(&outline);
+        let filled = polygon.with_capacity::<8>().unwrap().filled(fill);
+        let blended = polygon.coverage_with::<8>().unwrap().antialiased(edge, InPlace).opacity(99);
+        let (bounded, bounded_blended, bounded_text) =
+            (Bounded::new(filled), Bounded::new(blended), Bounded::new(text));
+        prop_assert_eq!(bounded_text.bounding_box().size, text.bounding_box().size);
+        let drawn = |draw: &dyn Fn(&mut Band<'_, Rgb565, Rows<MsbFirst>>)| {
+            let buffer = vec![0; 2 * 61 * rows as usize];
+            let mut bands = Bands::<Rgb565, Rows<MsbFirst>, _, 1>::new([buffer], SCREEN, Rgb565::BLACK).unwrap();
+            let mut panel = Panel(vec![Rgb565::WHITE; 61 * 48]);
+            let scene = |band: &mut Band<'_, Rgb565, Rows<MsbFirst>>| {
+                draw(band);
+                Ok::<(), Infallible>(())
+            };
+            bands.draw(scene, |band| band.show(&mut panel)).unwrap();
+            panel.0
+        };
+        let plain = drawn(&|band| {
+            filled.draw_on(band).unwrap();
+            blended.draw_on(band).unwrap();
+            text.draw(band).unwrap();
+        });
+        let with_bounds = drawn(&|band| {
+            bounded.draw_on(band).unwrap();
+            bounded_blended.draw_on(band).unwrap();
+            bounded_text.draw(band).unwrap();
+        });
+        prop_assert!(plain == with_bounds);
+        // Where the bounds are, nobody looks at the drawing itself.
+        let nowhere = PixelRect { rows: -9..0, columns: 0..61 };
+        let hidden = Bounded::within(filled, nowhere);
+        let nothing = drawn(&|band| hidden.draw_on(band).unwrap());
+        prop_assert!(nothing.iter().all(|pixel| *pixel == Rgb565::BLACK));
+    }
+
     #[test]
     fn values_in_bands(scene in scenes(), rows in 1..60_u32) {
         let mut frame = Framebuffer::<Rgb565, Values, _>::new(vec![Rgb565::BLACK; 61 * 48], SCREEN).unwrap();
@@ -348,6 +391,22 @@ fn an_error_ends_its_frame_only() {
             scene_fails,
         );
         assert_eq!(run(pin!(frame), 1000), Some(Err(FrameError::Scene("the scene"))));
+
+        let (bus, flushed) = (Bus::new(1), Cell::new(0));
+        let frame = bands.draw_async(
+            |band| scene().draw(band),
+            async |band| {
+                if flushed.replace(flushed.get() + 1) == fails_at {
+                    yield_once().await;
+                    return Err("the bus is gone");
+                }
+                let Ok(()) = bus.send(band.units()).await;
+                Ok(())
+            },
+        );
+        assert_eq!(run(pin!(frame), 1000), Some(Err(FrameError::Flush("the bus is gone"))));
+        assert_eq!(flushed.get(), fails_at + 1, "nothing is sent after an error");
+        assert!(bus.sent.take() == expected[..fails_at * 61 * 2 * 5]);
 
         let dma = Dma { fails_at: Some(fails_at + 1), ..Dma::default() };
         let (dma, failed) = bands.draw_by_transfers(dma, |band| scene().draw(band));

@@ -72,6 +72,12 @@ pub(crate) struct Measure {
 pub(crate) enum Command {
     /// Time whole pictures of real drawings, and how that grows with the vertices: half a minute
     Drawings(GalleryArgs),
+    /// Time framebuffers and bands: fills beside `slice::fill`, clears, scenes in bands beside the same at once
+    Frames {
+        /// How many turns each has; its best one counts
+        #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..))]
+        rounds: u32,
+    },
     /// Draw with one variant and nothing else, for a profiler
     Profile {
         /// A scene (triangle-10, circle-5, ...) or a drawing (coast, text/4, ...)

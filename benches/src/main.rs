@@ -12,6 +12,7 @@ mod drawing;
 mod drawings;
 mod environment;
 mod exact;
+mod frames;
 mod gallery;
 mod lineup;
 mod picture;
@@ -49,6 +50,10 @@ fn main() -> ExitCode {
     let result = match &cli.command {
         None => measure(&cli.measure),
         Some(Command::Drawings(args)) => gallery::measure(args),
+        Some(Command::Frames { rounds }) => {
+            print!("{}\n{}", Environment::new(), frames::report(*rounds));
+            Ok(ExitCode::SUCCESS)
+        }
         Some(Command::Profile { name, variant, shapes }) => profile(name, *variant, *shapes),
         Some(Command::Chart(redraw)) => redraw_as(redraw, chart::svg),
         Some(Command::ChartAa(redraw)) => redraw_as(redraw, accuracy_chart::svg),

@@ -16,8 +16,8 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 use spanfill::{
-    Band, Bands, BlockSink, Canvas, Circle, Damage, Framebuffer, InPlace, Layout, LsbFirst, Mix, MsbFirst, PackedColor,
-    Pages, ReadBack, Rows, Transfer, Transmit, Triangle, Values, Vertex, prelude::*,
+    Band, Bands, BlockSink, Bounded, Canvas, Circle, Damage, Framebuffer, InPlace, Layout, LsbFirst, Mix, MsbFirst,
+    PackedColor, Pages, ReadBack, Rows, Transfer, Transmit, Triangle, Values, Vertex, prelude::*,
 };
 
 #[panic_handler]
@@ -47,7 +47,10 @@ fn draw<C: PackedColor, D: Canvas<Color = C, Error = Infallible> + GetPixel<Colo
     let Ok(()) = target.fill_contiguous(&area(), core::iter::repeat_with(colour).take(any()));
     let Ok(()) = target.draw_iter(core::iter::repeat_with(|| Pixel(point(), colour())).take(any()));
     let Ok(()) = target.solid(colour()).block(any::<i32>()..any(), any::<i32>()..any());
-    let Ok(()) = Triangle::new(point(), point(), point()).filled(colour()).draw_on(target);
+    let triangle = Triangle::new(point(), point(), point()).filled(colour());
+    let Ok(()) = triangle.draw_on(target);
+    let Ok(()) = Bounded::new(triangle).draw_on(target);
+    let Ok(_) = Bounded::new(triangle).draw(target);
     black_box(target.pixel(point()));
 }
 
@@ -110,6 +113,7 @@ fn main() -> ! {
         if let Ok(mut other) = Framebuffer::<Rgb565, Rows<MsbFirst>, _>::new(units(), Size::new(any(), any())) {
             let Ok(()) = circle.antialiased(Rgb565::RED, ReadBack).draw_on(&mut other);
             let Ok(()) = circle.antialiased(Rgb565::RED, InPlace).draw_on(&mut other);
+            let Ok(()) = Bounded::new(circle.antialiased(Rgb565::RED, InPlace)).draw_on(&mut other);
             let Ok(()) = frame.draw_sub_image(&mut other, &area());
         }
     }

@@ -24,7 +24,7 @@ Commands:
                      Runs `attributes` on an emulated Cortex-M4: a table of instructions a pixel of triangles whose
                      colour, texture or depth varies. The CSV rows follow the table, or go to OUT.
   cube3d             Runs `cube3d_cycles` on an emulated Cortex-M4: instructions a frame of examples/cube3d.
-  frame              Runs `frame_cycles` on the same: what the crate's framebuffers cost, in instructions.
+  frame              Runs `frame_cycles` and `band_cycles` on the same: what framebuffers and bands cost, in instructions.
   methods [--csv OUT]
                      Runs `methods` on an emulated Cortex-M4, with and without its float unit: instructions by each
                      method of the literature, as CSV rows, which go to OUT. Takes some minutes. For the charts:
@@ -59,7 +59,8 @@ build_everything() {
     build_firmware attributes thumbv7em-none-eabi >/dev/null
     build_firmware cube3d_cycles thumbv7em-none-eabi >/dev/null
     build_firmware no_panic_varying thumbv7em-none-eabi >/dev/null
-    build_frame >/dev/null
+    build_frame frame_cycles >/dev/null
+    build_frame band_cycles >/dev/null
     echo "run.sh: linking no_panic and no_panic_frames, which fails if the library has a panic path" >&2
     # Every shape with every blending is more than the board has room for, and need not run.
     build_firmware no_panic_frames thumbv7em-none-eabi >/dev/null
@@ -79,8 +80,9 @@ build_cycles_aa() {
     build_firmware cycles_aa thumbv7em-none-eabihf
 }
 
+# build_frame EXAMPLE
 build_frame() {
-    build_firmware frame_cycles thumbv7em-none-eabi
+    build_firmware "$1" thumbv7em-none-eabi
 }
 
 # --- Running ---------------------------------------------------------------------------------------------------------
@@ -140,10 +142,12 @@ await_reply() {
 
 run_frame() {
     need qemu-system-arm qemu-system-arm
-    local elf
-    elf=$(build_frame)
-    timeout 300 qemu-system-arm -machine mps2-an386 -icount shift=0 -nographic \
-        -semihosting-config enable=on,target=native -kernel "$elf" </dev/null || fail "the firmware failed"
+    local example elf
+    for example in frame_cycles band_cycles; do
+        elf=$(build_frame $example)
+        timeout 300 qemu-system-arm -machine mps2-an386 -icount shift=0 -nographic \
+            -semihosting-config enable=on,target=native -kernel "$elf" </dev/null || fail "the firmware failed"
+    done
 }
 
 # run_cycles EXAMPLE [ARGUMENT...]

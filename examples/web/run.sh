@@ -11,8 +11,10 @@ Usage: examples/web/run.sh COMMAND
 Commands:
   build                 The page, in examples/web/target/site: any server of files can serve it from there.
   serve [PORT]          Builds it and serves it on this machine. [default: 8000]
-  test                  Builds it, draws the same pictures by a program of the host, works the page's controls in headless
-                        Chromium, and compares every canvas: the dashboard, and every method with every option.
+  check                 Builds it, draws the same pictures by a program of the host, and compares every canvas, in Node: the
+                        dashboard, and every method with every option.
+  test                  The same, then works the page's controls in headless Chromium, and compares the canvases that it
+                        shows: the dashboard, and every subject by every family of methods.
   screenshot [OUT.png]  Builds it and saves what the page looks like. [default: page.png]
 
 Environment:
@@ -85,11 +87,16 @@ build() {
     echo "web/run.sh: the page is in $PWD/$site" >&2
 }
 
-run_test() {
+run_check() {
     need node nodejs
-    need "$chromium" chromium
     build
     cargo run --release --bin expected "$scratch"
+    node check.mjs $site "$scratch"
+}
+
+run_test() {
+    need "$chromium" chromium
+    run_check
     node serve.mjs $site 0 "$scratch" "$chromium"
 }
 
@@ -136,6 +143,7 @@ serve)
     build
     node serve.mjs $site "${2:-8000}"
     ;;
+check) run_check ;;
 test) run_test ;;
 screenshot) screenshot "$(in_caller_dir "${2:-page.png}")" ;;
 *) fail "there is no '$1'; see --help" ;;

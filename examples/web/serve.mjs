@@ -1,5 +1,6 @@
 // Serves the page: `node serve.mjs SITE PORT`. With `node serve.mjs SITE 0 EXPECTED CHROMIUM`, opens it in that browser, headless,
-// and compares each canvas with the file of that name in EXPECTED: the exit status is 0 if every one was shown and is equal.
+// works its controls, and compares each canvas with the file of that name in EXPECTED: the exit status is 0 if every one was shown
+// and is equal. Shown is every subject by the last method of each family; check.mjs compares the others.
 
 import { spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
@@ -13,7 +14,9 @@ const TYPES = { html: "text/html", js: "text/javascript", wasm: "application/was
 const HOLD_MS = 5_000;
 const TIMEOUT_MS = 300_000;
 
-const wanted = new Set(expected ? readdirSync(expected) : []);
+/** By subject and family, the last of them; the dashboards by themselves. */
+const group = (name) => (name.startsWith("dashboard") ? name : name.split("-").slice(0, 2).join("-"));
+const wanted = new Set(new Map((expected ? readdirSync(expected) : []).map((name) => [group(name), name])).values());
 const equal = new Set();
 const failures = [];
 let finish = () => {};
@@ -53,8 +56,12 @@ server.listen(Number(port), "127.0.0.1", async () => {
   const profile = mkdtempSync(join(tmpdir(), "spanfill-web-"));
   const flags =
     "--headless --no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking " +
-    "--disable-component-update --disable-sync";
-  const browser = spawn(chromium, [...flags.split(" "), `--user-data-dir=${profile}`, `${address}?test`], { stdio: "ignore" });
+    "--disable-component-update --disable-sync --disable-dev-shm-usage";
+  const browser = spawn(chromium, [...flags.split(" "), `--user-data-dir=${profile}`, `${address}?test`], {
+    stdio: ["ignore", "ignore", "pipe"],
+  });
+  let complaints = "";
+  browser.stderr.on("data", (text) => (complaints = (complaints + text).slice(-2_000)));
   const said = await new Promise((resolve) => {
     finish = resolve;
     browser.on("error", (error) => resolve(`the browser did not start: ${error}`));
@@ -62,9 +69,9 @@ server.listen(Number(port), "127.0.0.1", async () => {
     setTimeout(() => resolve(`the page was not done after ${TIMEOUT_MS / 1000} s`), TIMEOUT_MS).unref();
   });
   browser.removeAllListeners("exit");
+  // One that did not start, or has ended, says nothing more.
   const ended = new Promise((resolve) => browser.on("exit", resolve));
-  browser.kill();
-  await ended;
+  if (browser.kill()) await ended;
   rmSync(profile, { recursive: true, force: true, maxRetries: 5 });
   server.close();
   server.closeAllConnections();
@@ -74,6 +81,7 @@ server.listen(Number(port), "127.0.0.1", async () => {
   }
   for (const failure of failures.slice(0, 20)) console.error(failure);
   const isGood = failures.length === 0 && wanted.size > 0;
+  if (!isGood) console.error(`The browser's last words:\n${complaints}`);
   console.log(`${equal.size} of ${wanted.size} canvases equal the host's, pixel for pixel: ${isGood ? "passed" : "FAILED"}`);
   process.exitCode = isGood ? 0 : 1;
 });

@@ -33,8 +33,9 @@ use crate::{
 ///
 /// # Cost
 ///
-/// A shape costs its rows in the band, and a comparison or two where it has none. The whole frame goes over the bus once, in
-/// one address window a band.
+/// A shape costs its rows in the band. Where it has none, a triangle, a circle or a line costs a comparison or two; an outline
+/// is looked over, unless it is [`Bounded`](crate::Bounded). The whole frame goes over the bus once, in one address window a
+/// band.
 ///
 /// # Examples
 ///

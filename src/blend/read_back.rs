@@ -10,7 +10,9 @@ use crate::blend::{Blend, Mix};
 
 /// Blends over what is there, on targets that can be read: framebuffers, bands.
 ///
-/// Shapes may overlap in any order and opacity. A pixel that the target does not give stays as it is.
+/// Shapes may overlap in any order and opacity. A pixel that the target does not give stays as it is. What cannot be read, as
+/// embedded-graphics-simulator's display, is shown a [`Framebuffer`](crate::Framebuffer) that can:
+/// [`show`](crate::Framebuffer::show).
 ///
 /// ```text
 ///   shown before    a   a   b    b    b

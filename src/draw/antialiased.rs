@@ -134,17 +134,30 @@ impl<S: Cover, C: PixelColor, B> AntiAliased<S, C, B> {
     where
         B: Blend<D>,
     {
+        let clip = PixelRect::from(target.bounding_box());
+        // Of a frame in bands, most shapes are not on most of the bands.
+        let touched = self.shape.touched();
+        if clip_range(&touched.rows, &clip.rows).is_empty() || clip_range(&touched.columns, &clip.columns).is_empty() {
+            return Ok(());
+        }
+        self.blend_clipped(&clip, target)
+    }
+
+    /// What of it lies in the clip, which is the target's.
+    #[inline]
+    pub(super) fn blend_clipped<D: DrawTarget<Color = C>>(
+        &self,
+        clip: &PixelRect,
+        target: &mut D,
+    ) -> Result<(), D::Error>
+    where
+        B: Blend<D>,
+    {
         let Self { ref shape, colour, blend, opacity } = *self;
         if opacity == 0 {
             return Ok(());
         }
-        let clip = PixelRect::from(target.bounding_box());
-        // Of a frame in bands, most shapes are not on most of the bands.
-        let touched = shape.touched();
-        if clip_range(&touched.rows, &clip.rows).is_empty() || clip_range(&touched.columns, &clip.columns).is_empty() {
-            return Ok(());
-        }
-        shape.coverage(&clip, &mut BlendedFill { target, blend, colour, opacity })
+        shape.coverage(clip, &mut BlendedFill { target, blend, colour, opacity })
     }
 }
 

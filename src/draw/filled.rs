@@ -62,7 +62,13 @@ impl<S: Shape, C: PixelColor> Filled<S, C> {
                 return Ok(());
             }
         }
-        self.shape.blocks(&clip, &mut target.solid(self.colour))
+        self.fill_clipped(&clip, target)
+    }
+
+    /// What of it lies in the clip, which is the target's.
+    #[inline]
+    pub(super) fn fill_clipped<D: Canvas<Color = C>>(&self, clip: &PixelRect, target: &mut D) -> Result<(), D::Error> {
+        self.shape.blocks(clip, &mut target.solid(self.colour))
     }
 }
 

@@ -2,7 +2,9 @@
 
 mod antialiased;
 mod blended;
+mod bounded;
 mod filled;
 
 pub use antialiased::{AntiAlias, AntiAliased};
+pub use bounded::Bounded;
 pub use filled::{Fill, Filled};

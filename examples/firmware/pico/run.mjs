@@ -168,18 +168,22 @@ function run(file, expected, out) {
   }
   let deepest = staticEnd - RAM;
   while (rp2040.sram[deepest] === PAINT) deepest += 1;
-  return { stages, staticBytes: staticEnd - RAM, stackBytes: stackTop - RAM - deepest };
+  return { stages, picture: panel.picture(), staticBytes: staticEnd - RAM, stackBytes: stackTop - RAM - deepest };
 }
 
 function compare(stage, panel, expected, out) {
   const library = stage.way === "embedded-graphics" ? stage.way : "spanfill";
   const picture = panel.picture();
-  const wanted = readFileSync(join(expected, `${library}-${stage.name}`));
-  stage.wrong = 0;
-  for (let place = 0; place < wanted.length; place += 2) {
-    if (wanted[place] !== picture[place] || wanted[place + 1] !== picture[place + 1]) stage.wrong += 1;
-  }
+  stage.wrong = wrongPixels(picture, readFileSync(join(expected, `${library}-${stage.name}`)));
   if (out) writeFileSync(join(out, `${stage.way}-${stage.name}.png`), png(picture, panel.width, panel.height));
+}
+
+function wrongPixels(picture, wanted) {
+  let wrong = Math.abs(wanted.length - picture.length) / 2;
+  for (let place = 0; place < Math.min(wanted.length, picture.length); place += 2) {
+    wrong += wanted[place] !== picture[place] || wanted[place + 1] !== picture[place + 1];
+  }
+  return wrong;
 }
 
 /** An RGB picture from RGB565. */
@@ -222,9 +226,12 @@ const FEWER = { "thick-lines-50": 35, "thick-lines-200": 35 };
 const FRAME_BYTES = 2 * 320 * 240;
 const RAM_LIMIT = 8 * 1024;
 
-const [bus, small, expected, check, out] = process.argv.slice(2);
+/** Programs that run on the simulator, too. */
+const EXAMPLES = ["hello_lcd", "dashboard", "bands", "damage"];
+
+const [firmware, expected, check, out] = process.argv.slice(2);
 if (!check) {
-  console.error("Usage: node run.mjs BUS.elf SMALL.elf FOLDER_OF_EXPECTED check|show [FOLDER_FOR_PNG]");
+  console.error("Usage: node run.mjs FOLDER_OF_FIRMWARE FOLDER_OF_EXPECTED check|show [FOLDER_FOR_PNG]");
   process.exit(2);
 }
 if (out) mkdirSync(out, { recursive: true });
@@ -233,7 +240,7 @@ const must = (holds, what) => {
   if (!holds) failures.push(what);
 };
 
-const all = run(bus, expected, out);
+const all = run(join(firmware, "bus"), expected, out);
 console.log("| picture | by | bytes | windows | cycles | bytes beside embedded-graphics |\n|---|---|--:|--:|--:|--:|");
 for (const stage of all.stages) {
   const { way, name, bytes, windows, cycles, wrong } = stage;
@@ -255,12 +262,19 @@ for (const way of ["embedded-graphics", "direct", "framebuffer", "bands", "dma",
 const moved = all.stages.find((stage) => stage.way === "damage");
 must(moved && moved.bytes < FRAME_BYTES / 5, "a needle that moves costs a fifth of the frame or more");
 
-const little = run(small, expected, undefined);
+const little = run(join(firmware, "small"), expected, undefined);
 const total = little.staticBytes + little.stackBytes;
 console.log(`\nA dashboard, anti-aliased, in ${total} bytes of RAM: ${little.staticBytes} static, ${little.stackBytes} of stack.`);
 must(total < RAM_LIMIT, `${total} bytes of RAM, the limit is ${RAM_LIMIT}`);
 must(little.stages.length >= 2, "the small firmware drew too little");
 for (const { name, wrong } of little.stages) must(wrong === 0, `${name} in little RAM: ${wrong} pixels differ from the host's`);
+
+for (const name of EXAMPLES) {
+  const { picture } = run(join(firmware, name), expected, undefined);
+  const wrong = wrongPixels(picture, readFileSync(join(expected, `${name}.rgb565`)));
+  console.log(`${name}: ${wrong} pixels are not the simulator's`);
+  must(wrong === 0, `${name}: ${wrong} pixels are not the simulator's`);
+}
 
 if (failures.length > 0) console.error(failures.join("\n"));
 if (check === "check" && failures.length > 0) process.exit(1);

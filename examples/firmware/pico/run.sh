@@ -3,7 +3,8 @@
 #
 # Usage: examples/firmware/pico/run.sh [--check] [PNG_FOLDER]
 #
-#   --check       Fails if a pixel differs, a shape takes more bytes than embedded-graphics', or the small firmware takes 8 KiB.
+#   --check       Fails if a pixel differs, of a picture or of an example on the simulator, a shape takes more bytes than
+#                 embedded-graphics', or the small firmware takes 8 KiB.
 #   PNG_FOLDER    Where the pictures that the display shows go.
 #
 # SPANFILL_TOOLCHAIN and CI are as for examples/firmware/run.sh.
@@ -80,4 +81,7 @@ debian)
 esac
 
 cargo run --release --bin expected "$scratch"
-node run.mjs $firmware/bus $firmware/small "$scratch" $check ${out:+"$out"}
+for example in hello_lcd dashboard bands damage; do
+    cargo run --release --bin $example "$scratch/$example.rgb565"
+done
+node run.mjs $firmware "$scratch" $check ${out:+"$out"}

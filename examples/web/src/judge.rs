@@ -38,6 +38,9 @@ pub enum Verdict {
 /// What is right.
 #[derive(Debug)]
 pub struct Truth {
+    /// What it is the truth about.
+    geometry: Geometry,
+    rule: Rule,
     /// How many shapes own each pixel, and the last of them.
     count: Vec<u16>,
     owner: Vec<u16>,
@@ -48,10 +51,45 @@ pub struct Truth {
 
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
 
+/// What a method is held to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Rule {
+    Coverage,
+    Centres,
+    /// A circle's own: the outline's, the shipped disc's.
+    Ring,
+    Disc,
+}
+
+impl Rule {
+    fn of(choice: &Choice) -> Self {
+        if is_antialiased(choice) {
+            Self::Coverage
+        } else if choice.option.contains("outline") {
+            Self::Ring
+        } else if choice.method == "spanfill" {
+            Self::Disc
+        } else {
+            Self::Centres
+        }
+    }
+}
+
 impl Truth {
+    /// Whether it is that of this subject and method, too.
+    pub fn is_of(&self, subject: &Subject, choice: &Choice) -> bool {
+        self.rule == Rule::of(choice) && self.geometry == subject.geometry
+    }
+
     pub fn new(subject: &Subject, choice: &Choice) -> Self {
-        let mut truth =
-            Self { count: vec![0; PIXELS], owner: vec![0; PIXELS], is_tie: vec![false; PIXELS], coverage: vec![] };
+        let mut truth = Self {
+            geometry: subject.geometry.clone(),
+            rule: Rule::of(choice),
+            count: vec![0; PIXELS],
+            owner: vec![0; PIXELS],
+            is_tie: vec![false; PIXELS],
+            coverage: vec![],
+        };
         let vertex = |[x, y]: [i32; 2]| Vertex::from_bits(x, y);
         let star = || Outline::new(STAR_CONTOURS.iter().map(|contour| contour.to_vec()).collect(), FillRule::EvenOdd);
         match (&subject.geometry, is_antialiased(choice)) {
@@ -71,7 +109,7 @@ impl Truth {
                     );
                 }
             }
-            (Geometry::Circle(circle), _) => truth.mark_circle(*circle, choice),
+            (Geometry::Circle(circle), _) => truth.mark_circle(*circle),
             (Geometry::Star, true) => truth.cover(&star()),
             (Geometry::Star, false) => {
                 let star = star();
@@ -126,17 +164,15 @@ impl Truth {
         }
     }
 
-    fn mark_circle(&mut self, circle: [i32; 3], choice: &Choice) {
+    fn mark_circle(&mut self, circle: [i32; 3]) {
         let [x, y, radius] = circle.map(i64::from);
         let ring = Ring { center: [x, y], radius };
         let disc: Circle = shipped(circle);
         let never = |_: i32, _: i32| false;
-        if choice.option.contains("outline") {
-            self.mark(&SCREEN, |column, row| ring.has(column, row), never);
-        } else if choice.method == "spanfill" {
-            self.mark(&SCREEN, |column, row| disc.has(column, row), never);
-        } else {
-            self.mark(&SCREEN, |column, row| ring.holds(column, row), never);
+        match self.rule {
+            Rule::Ring => self.mark(&SCREEN, |column, row| ring.has(column, row), never),
+            Rule::Disc => self.mark(&SCREEN, |column, row| disc.has(column, row), never),
+            Rule::Coverage | Rule::Centres => self.mark(&SCREEN, |column, row| ring.holds(column, row), never),
         }
     }
 

@@ -42,6 +42,8 @@ impl Report {
 }
 
 pub struct Page {
+    /// What was right for the last subject: most methods are judged alike.
+    truth: Option<Truth>,
     canvas: Canvas,
     picture: Box<Picture>,
     frame: Box<Frame>,
@@ -53,6 +55,7 @@ pub struct Page {
 impl Default for Page {
     fn default() -> Self {
         Self {
+            truth: None,
             canvas: Canvas::new(),
             picture: Box::new(Picture::new()),
             frame: Box::new(Frame::new()),
@@ -97,21 +100,31 @@ impl Page {
     pub fn draw(&mut self, subject: &Subject, choice: &Choice) -> bool {
         let Some(drawing) = drawing(subject, choice) else { return false };
         self.clear();
-        let truth = Truth::new(subject, choice);
+        let truth = match self.truth.take() {
+            Some(truth) if truth.is_of(subject, choice) => truth,
+            _ => Truth::new(subject, choice),
+        };
         let mut drawn = vec![0; PIXELS];
         let is_one_part = drawing.parts() == 1;
         for part in 0..drawing.parts() {
             self.report.refused += f64::from(u8::from(drawing.check(part, &mut self.picture).is_err()));
-            for (at, before) in drawn.iter_mut().enumerate() {
-                let count = self.picture.count[at];
-                if count == *before {
+            for row in 0..HEIGHT as usize {
+                let pixels = row * WIDTH as usize..(row + 1) * WIDTH as usize;
+                // Most parts are on a few rows.
+                if drawn[pixels.clone()] == self.picture.count[pixels.clone()] {
                     continue;
                 }
-                *before = count;
-                // A mesh that is drawn at once has the colours of the triangles that own the pixels.
-                let shape = if is_one_part { truth.owner(at).unwrap_or(0) } else { part };
-                let colour = colour(subject, choice, shape, &self.picture, at);
-                self.canvas.set(at, colour);
+                for at in pixels {
+                    let count = self.picture.count[at];
+                    if count == drawn[at] {
+                        continue;
+                    }
+                    drawn[at] = count;
+                    // A mesh that is drawn at once has the colours of the triangles that own the pixels.
+                    let shape = if is_one_part { truth.owner(at).unwrap_or(0) } else { part };
+                    let colour = colour(subject, choice, shape, &self.picture, at);
+                    self.canvas.set(at, colour);
+                }
             }
         }
         self.report.pixels = truth.pixels() as f64;
@@ -135,6 +148,7 @@ impl Page {
             self.outline.push(contour.len() as i32);
             self.outline.extend(contour.iter().flatten());
         }
+        self.truth = Some(truth);
         true
     }
 

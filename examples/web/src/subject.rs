@@ -15,7 +15,7 @@ pub struct Subject {
     pub geometry: Geometry,
 }
 
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Geometry {
     /// With colours at their vertices.
     Triangles(Vec<Shaded>),

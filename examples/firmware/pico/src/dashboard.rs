@@ -10,7 +10,7 @@ use embedded_graphics::{
     primitives::{self as eg, PrimitiveStyle, Rectangle},
     text::{Alignment, Text},
 };
-use spanfill::{AntiAlias, Circle, Line, Over, Triangle, Turn, Vertex};
+use spanfill::{AntiAlias, Bounded, Circle, Line, Over, Triangle, Turn, Vertex};
 
 const PANEL: Rgb565 = Rgb565::new(3, 8, 5);
 const FACE: Rgb565 = Rgb565::new(7, 16, 9);
@@ -115,12 +115,8 @@ fn backdrop<D: DrawTarget<Color = Rgb565>>(target: &mut D) -> Result<(), D::Erro
 fn texts<D: DrawTarget<Color = Rgb565>>(target: &mut D) -> Result<(), D::Error> {
     let large = MonoTextStyle::new(&FONT_10X20, TEXT);
     let small = MonoTextStyle::new(&FONT_6X10, SCALE);
-    let screen = target.bounding_box();
     // embedded-graphics draws every pixel of a text, even where no row of it is on a band.
-    let mut draw = |text: Text<'_, MonoTextStyle<'_, Rgb565>>| {
-        let is_hidden = text.bounding_box().intersection(&screen).is_zero_sized();
-        if is_hidden { Ok(()) } else { text.draw(target).map(|_| ()) }
-    };
+    let mut draw = |text: Text<'_, MonoTextStyle<'_, Rgb565>>| Bounded::new(text).draw(target).map(|_| ());
     draw(Text::with_alignment("Engine 2", Point::new(160, 22), large, Alignment::Center))?;
     draw(Text::with_alignment("rpm x 100", Point::new(100, 226), small, Alignment::Center))?;
     draw(Text::new("oil pressure", Point::new(204, 52), small))?;
