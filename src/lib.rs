@@ -192,7 +192,7 @@ pub use outline::{
 };
 pub use paint::{
     AreaSink, Areas, BadStops, Cells as MosaicCells, ConicalGradient, EmptyPattern, GouraudPaint, Hatch,
-    LinearGradient, Mosaic, MosaicCell, MosaicError, MosaicScratchTooSmall, Paint, Painted, PaintedAntiAliased,
+    LinearGradient, Masked, Mosaic, MosaicCell, MosaicError, MosaicScratchTooSmall, Paint, Painted, PaintedAntiAliased,
     Painting, Pattern, RadialGradient, Rounded, Solid, Spread, Stop, Stops, Tile, Tiles,
 };
 pub use path::{ArcTo, Element, Path, PathError, SvgElements, Transform};

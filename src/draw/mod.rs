@@ -5,4 +5,5 @@ mod blended;
 mod filled;
 
 pub use antialiased::{AntiAlias, AntiAliased};
+pub(crate) use blended::faded;
 pub use filled::{Fill, Filled};

@@ -10,15 +10,18 @@ mod conical;
 mod dither;
 mod gouraud;
 mod linear;
+mod masked;
 mod mosaic;
 mod painted;
 mod pattern;
+mod plane;
 mod radial;
 mod stops;
 
 pub use conical::ConicalGradient;
 pub use gouraud::GouraudPaint;
 pub use linear::LinearGradient;
+pub use masked::Masked;
 pub use mosaic::{
     AreaSink, Areas, Cells, Mosaic, MosaicCell, MosaicError, MosaicScratchTooSmall, Rounded, Tile, Tiles,
 };
