@@ -355,8 +355,8 @@ mod mosaic {
             for (index, (found, expected)) in target.0.iter().zip(&expected).enumerate() {
                 let found = found.luma();
                 assert!(*expected < 255 || found == 255, "a seam at {} {}: {found}", index % SIDE, index / SIDE);
-                // 3/510 for each of at most three slices in a pixel of the rim.
-                assert!(found.abs_diff(*expected) <= 5, "{found} in place of {expected}");
+                // Two roundings of what is nearly the same.
+                assert!(found.abs_diff(*expected) <= 1, "{found} in place of {expected}");
             }
         }
         // One after the other, it shows.

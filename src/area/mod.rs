@@ -16,6 +16,6 @@ mod winding;
 
 pub(crate) use accumulator::WINDOW;
 pub use chain::CoverageEdge;
-pub(crate) use contour_areas::send_contours;
+pub(crate) use contour_areas::{PlacedAreaSink, send_areas, send_contours};
 pub(crate) use fill::{AreaSink, Inside};
 pub(crate) use rounded::Rounded;

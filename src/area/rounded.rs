@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::{
-    area::{AreaSink, WINDOW},
+    area::{AreaSink, PlacedAreaSink, WINDOW},
     coverage::CoverageSink,
     span::Span,
 };
@@ -52,6 +52,12 @@ impl<S: CoverageSink> AreaSink for Rounded<'_, S> {
             self.result = self.send_parts(row, column, coverage.get(..areas.len()).unwrap_or_default());
         }
         self.result.is_ok()
+    }
+}
+
+impl<S: CoverageSink> PlacedAreaSink for Rounded<'_, S> {
+    fn place(&mut self, corner: (i32, i32)) {
+        self.corner = corner;
     }
 }
 
