@@ -379,8 +379,8 @@ fn gradients_are_those_of_resvg() {
             .collect();
         differences.sort_unstable();
         let worst = differences[differences.len() - 1 - differences.len() * at_jumps / 1000];
-        eprintln!("{element} {attributes}: {worst} {:?}", differences.iter().filter(|d| **d > 2).count());
-        assert!(worst <= 2, "{worst} in {content}");
+        eprintln!("{element} {attributes}: {worst} {:?}", differences.iter().filter(|d| **d > 3).count());
+        assert!(worst <= 3, "{worst} in {content}");
     }
 }
 
