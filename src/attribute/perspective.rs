@@ -298,25 +298,31 @@ impl<W: Word, const N: usize> Iterator for Pieces<'_, W, N> {
 
 impl<W: Word, const N: usize> AttributeRow<N> for Pieces<'_, W, N> {
     #[inline(never)]
-    fn write<T>(mut self, into: &mut [T], mut write: impl FnMut(&mut T, [i32; N])) {
+    fn write<T>(&mut self, into: &mut [T], mut write: impl FnMut(&mut T, [i32; N])) {
         let mut rest = into;
         while !rest.is_empty() {
-            self.refill();
-            let piece = self.piece;
-            self.piece.left = 0;
-            let length = usize::try_from(piece.left).unwrap_or(1).min(rest.len());
+            if self.piece.left == 0 {
+                self.refill();
+            }
+            let length = usize::try_from(self.piece.left).unwrap_or(1).min(rest.len());
             let Some((now, later)) = rest.split_at_mut_checked(length) else { return };
-            write_piece(piece, now, &mut write);
+            self.piece = write_piece(self.piece, now, &mut write);
             rest = later;
         }
     }
 }
 
 #[inline(always)]
-fn write_piece<T, const N: usize>(mut piece: Piece<N>, into: &mut [T], write: &mut impl FnMut(&mut T, [i32; N])) {
+fn write_piece<T, const N: usize>(
+    mut piece: Piece<N>,
+    into: &mut [T],
+    write: &mut impl FnMut(&mut T, [i32; N]),
+) -> Piece<N> {
+    piece.left = piece.left.saturating_sub(u32::try_from(into.len()).unwrap_or(0));
     for item in into {
         write(item, piece.next());
     }
+    piece
 }
 
 impl<W: Word, const N: usize> Quotients<W, N> {
