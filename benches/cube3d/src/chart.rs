@@ -11,7 +11,11 @@ pub(crate) fn svg(lines: &[(&str, Vec<Measured>); 3]) -> Result<String, Box<dyn 
     let bounds = |of: fn(&Measured) -> f64| {
         all().map(of).fold((f64::INFINITY, 0_f64), |(low, high), value| (low.min(value), high.max(value)))
     };
-    let ((small, large), (fast, slow)) = (bounds(|m| m.pixels_each), bounds(|m| m.ms));
+    // One size for all: that of the triangles between the same points.
+    let [(_, triangles), ..] = lines;
+    let sizes = || triangles.iter().map(|m| m.pixels_each);
+    let (small, large) = sizes().fold((f64::INFINITY, 0_f64), |(low, high), size| (low.min(size), high.max(size)));
+    let (fast, slow) = bounds(|m| m.ms);
     let mut svg = String::new();
     {
         let canvas = SVGBackend::with_string(&mut svg, (900, 520)).into_drawing_area();
@@ -25,14 +29,14 @@ pub(crate) fn svg(lines: &[(&str, Vec<Measured>); 3]) -> Result<String, Box<dyn 
             .build_cartesian_2d((large * 1.2..small / 1.2).log_scale(), (fast / 1.3..slow * 1.3).log_scale())?;
         chart
             .configure_mesh()
-            .x_desc("pixels of the picture for each primitive that is drawn (log)")
+            .x_desc("pixels of the picture for each triangle between the surface's points (log)")
             .y_desc("ms a frame (log)")
             .light_line_style(RGBColor(0xf1, 0xf2, 0xf4))
             .bold_line_style(RGBColor(0xe2, 0xe5, 0xe8))
             .x_label_formatter(&|value| format!("{value}"))
             .draw()?;
         for ((name, line), colour) in lines.iter().zip(COLOURS) {
-            let points: Vec<(f64, f64)> = line.iter().map(|m| (m.pixels_each, m.ms)).collect();
+            let points: Vec<(f64, f64)> = sizes().zip(line.iter().map(|m| m.ms)).collect();
             chart
                 .draw_series([PathElement::new(points.clone(), colour.stroke_width(2))])?
                 .label(*name)
