@@ -304,9 +304,14 @@ impl<W: Word, const N: usize> AttributeRow<N> for Pieces<'_, W, N> {
             if self.piece.left == 0 {
                 self.refill();
             }
-            let length = usize::try_from(self.piece.left).unwrap_or(1).min(rest.len());
-            let Some((now, later)) = rest.split_at_mut_checked(length) else { return };
-            self.piece = write_piece(self.piece, now, &mut write);
+            let left = usize::try_from(self.piece.left).unwrap_or(1);
+            let Some((now, later)) = rest.split_at_mut_checked(left.min(rest.len())) else { return };
+            let (piece, written) = (write_piece(self.piece, now, &mut write), now.len());
+            if written < left {
+                self.piece = piece;
+            } else {
+                self.piece.left = 0;
+            }
             rest = later;
         }
     }
