@@ -214,6 +214,17 @@ impl<const N: usize> Piece<N> {
         }
         values
     }
+
+    /// Goes past some that are left.
+    #[inline(always)]
+    fn skip(&mut self, count: u32) {
+        self.left = self.left.saturating_sub(count);
+        if self.left > 0 {
+            for (current, step) in self.current.iter_mut().zip(&self.step) {
+                *current = current.wrapping_add(step.wrapping_mul(count.cast_signed()));
+            }
+        }
+    }
 }
 
 impl<W: Word, const N: usize> Pieces<'_, W, N> {
@@ -306,28 +317,19 @@ impl<W: Word, const N: usize> AttributeRow<N> for Pieces<'_, W, N> {
             }
             let left = usize::try_from(self.piece.left).unwrap_or(1);
             let Some((now, later)) = rest.split_at_mut_checked(left.min(rest.len())) else { return };
-            let (piece, written) = (write_piece(self.piece, now, &mut write), now.len());
-            if written < left {
-                self.piece = piece;
-            } else {
-                self.piece.left = 0;
-            }
+            let written = u32::try_from(now.len()).unwrap_or(0);
+            write_piece(self.piece, now, &mut write);
+            self.piece.skip(written);
             rest = later;
         }
     }
 }
 
 #[inline(always)]
-fn write_piece<T, const N: usize>(
-    mut piece: Piece<N>,
-    into: &mut [T],
-    write: &mut impl FnMut(&mut T, [i32; N]),
-) -> Piece<N> {
-    piece.left = piece.left.saturating_sub(u32::try_from(into.len()).unwrap_or(0));
+fn write_piece<T, const N: usize>(mut piece: Piece<N>, into: &mut [T], write: &mut impl FnMut(&mut T, [i32; N])) {
     for item in into {
         write(item, piece.next());
     }
-    piece
 }
 
 impl<W: Word, const N: usize> Quotients<W, N> {
