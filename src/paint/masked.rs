@@ -61,19 +61,26 @@ impl<T: CoverageSink, P: Paint<Gray8>> Masking<'_, T, P> {
         let mut through = coverage.zip(self.opacity.row(row, column));
         let mut column = column;
         loop {
-            let mut piece = heapless::Vec::<u8, PIECE>::new();
-            piece.extend(through.by_ref().take(PIECE).map(|(coverage, opacity)| faded(coverage, opacity.luma())));
+            let (mut piece, mut length) = ([0; PIECE], 0);
+            for (place, (coverage, opacity)) in piece.iter_mut().zip(through.by_ref()) {
+                *place = faded(coverage, opacity.luma());
+                length += 1;
+            }
+            let piece = piece.get(..length).unwrap_or_default();
             if piece.is_empty() {
                 return Ok(());
             }
-            for part in piece.chunk_by(|a, b| kind(*a) == kind(*b)) {
-                let end = column.wrapping_add_unsigned(u32::try_from(part.len()).unwrap_or(0));
-                match part.first() {
-                    Some(0) | None => {}
-                    Some(255) => self.sink.span(Span { row, columns: column..end }, 255)?,
-                    Some(_) => self.sink.run(row, column, part)?,
+            let mut rest = piece;
+            while let Some(first) = rest.first().map(|first| kind(*first)) {
+                let length = rest.iter().position(|other| kind(*other) != first).unwrap_or(rest.len());
+                let (part, after) = rest.split_at_checked(length).unwrap_or_default();
+                let end = column.wrapping_add_unsigned(u32::try_from(length).unwrap_or(0));
+                match first {
+                    0 => {}
+                    255 => self.sink.span(Span { row, columns: column..end }, 255)?,
+                    _ => self.sink.run(row, column, part)?,
                 }
-                column = end;
+                (rest, column) = (after, end);
             }
         }
     }
