@@ -94,7 +94,8 @@
 //!
 //! # What varies
 //!
-//! [`Painting::painted`] gives a shape a [`Paint`]: a gradient, a pattern, or your own. [`Attributes`] interpolate across
+//! [`Painting::painted`] gives a shape a [`Paint`]: a gradient, a pattern, or your own; [`Masked`] lets only so much of a
+//! shape through as another paint says. [`Attributes`] interpolate across
 //! triangles: [`Gouraud`] colours, [`Affine`] and [`Perspective`] values, depth ([`DepthTested`]), a [`Texture`]. A
 //! [`Mosaic`] draws neighbours without a seam, and [`splat`] points in place of triangles.
 //!
