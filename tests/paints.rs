@@ -179,8 +179,7 @@ fn gradients_are_exact_to_a_level() {
             } else {
                 let turn = ((y - y0).atan2(x - x0) / std::f64::consts::TAU - angle as f64 / 65536.0).rem_euclid(1.0);
                 // Where it begins and ends, either is right.
-                let near = turn < 1.0 / 32768.0 || turn > 32767.0 / 32768.0;
-                if near { f64::NAN } else { turn }
+                if (1.0 / 32768.0..32767.0 / 32768.0).contains(&turn) { turn } else { f64::NAN }
             }
         };
         check(&ConicalGradient::new(start, angle as u16, stops), &plain, spread, conical)?;
