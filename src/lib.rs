@@ -107,7 +107,8 @@
 //!
 //! # What varies
 //!
-//! [`Painting::painted`] gives a shape a [`Paint`]: a gradient, a pattern, or your own. [`Attributes`] interpolate across
+//! [`Painting::painted`] gives a shape a [`Paint`]: a gradient, a pattern, or your own; [`Masked`] lets only so much of a
+//! shape through as another paint says. [`Attributes`] interpolate across
 //! triangles: [`Gouraud`] colours, [`Affine`] and [`Perspective`] values, depth ([`DepthTested`]), a [`Texture`]. A
 //! [`Mosaic`] draws neighbours without a seam, and [`splat`] points in place of triangles.
 //!
@@ -207,7 +208,7 @@ pub use outline::{
 };
 pub use paint::{
     AreaSink, Areas, BadStops, Cells as MosaicCells, ConicalGradient, EmptyPattern, GouraudPaint, Hatch,
-    LinearGradient, Mosaic, MosaicCell, MosaicError, MosaicScratchTooSmall, Paint, Painted, PaintedAntiAliased,
+    LinearGradient, Masked, Mosaic, MosaicCell, MosaicError, MosaicScratchTooSmall, Paint, Painted, PaintedAntiAliased,
     Painting, Pattern, RadialGradient, Rounded, Solid, Spread, Stop, Stops, Tile, Tiles,
 };
 pub use path::{ArcTo, Element, Path, PathError, SvgElements, Transform};

@@ -375,6 +375,49 @@ mod depth {
         });
     }
 
+    /// Rows are tested in pieces: values go on where they stopped, whatever their pieces are.
+    #[test]
+    fn values_are_the_same_with_a_buffer() {
+        let frame = Rectangle::new(Point::new(-7, 3), Size::new(150, 30));
+        for_each_case(0xA778, cases(400), |rng| {
+            let mut vertex = || Vertex::from_bits(rng.int(-9000..=44000) as i32, rng.int(-999..=12000) as i32);
+            let triangle = Triangle::from_vertices([vertex(), vertex(), vertex()]);
+            let mut three = |low: i64, high: i64| [(); 3].map(|()| rng.int(low..=high) as i32);
+            let (u, v, w, z) = (three(0, 16384), three(-300, 9000), three(1, 4000), three(0, 65535));
+            let values = [0, 1, 2].map(|vertex| [u[vertex], v[vertex]]);
+            let depths = z.map(|depth| depth as u16);
+            let shade = |[u, v]: [i32; 2]| Rgb565::new((u >> 6) as u8 & 31, (v >> 4) as u8 & 63, (u ^ v) as u8 & 31);
+            let mut memory = vec![0; 150 * 30];
+            let mut buffer = DepthBuffer::new(frame, 150, &mut memory).expect("large enough");
+            let mut targets = [(); 6].map(|()| Memory::new(frame, Rgb565::BLACK));
+            let [plain, tested, sent, seen, seen_tested, seen_sent] = &mut targets;
+            let affine = Affine::new(triangle, values).shaded(shade);
+            let perspective = Perspective::new(triangle, values, w).expect("in front").shaded(shade);
+            affine.draw_on(plain);
+            perspective.draw_on(seen);
+            for (target, test) in [(&mut *tested, DepthTest::LESS), (sent, DepthTest::LESS_OR_EQUAL)] {
+                buffer.clear(u16::MAX);
+                if test == DepthTest::LESS {
+                    affine.depth_tested(depths, test).draw_on(target, &mut buffer);
+                } else {
+                    affine.depth_tested(depths, test).draw(target, &mut buffer).expect("infallible");
+                }
+            }
+            buffer.clear(u16::MAX);
+            perspective.depth_tested(depths, DepthTest::ALWAYS).draw_on(seen_tested, &mut buffer);
+            perspective.depth_tested(depths, DepthTest::ALWAYS).draw(seen_sent, &mut buffer).expect("infallible");
+            // The furthest depth is not less than what is cleared to.
+            let nearer = depths.iter().all(|depth| *depth < u16::MAX);
+            if nearer && (plain.pixels != tested.pixels || plain.pixels != sent.pixels) {
+                return Err(format!("affine {triangle:?} {values:?}"));
+            }
+            if seen.pixels != seen_tested.pixels || seen.pixels != seen_sent.pixels {
+                return Err(format!("perspective {triangle:?} {values:?} {w:?}"));
+            }
+            Ok(1)
+        });
+    }
+
     #[test]
     fn tests_are_what_they_say() {
         for (test, passing) in

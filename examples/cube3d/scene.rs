@@ -97,23 +97,23 @@ fn clipped(triangle: &[Seen; 3]) -> heapless::Vec<Seen, 4> {
 }
 
 /// A triangle on the screen, with everything that drawing needs.
-struct Projected {
-    triangle: Triangle,
-    varying: [[i32; 2]; 3],
-    distances: [i32; 3],
-    depths: [u16; 3],
+pub(crate) struct Projected {
+    pub(crate) triangle: Triangle,
+    pub(crate) varying: [[i32; 2]; 3],
+    pub(crate) distances: [i32; 3],
+    pub(crate) depths: [u16; 3],
 }
 
 /// How a screen sees.
 #[derive(Clone, Copy)]
-struct Camera {
+pub(crate) struct Camera {
     /// In 1/256 px.
     middle: [i32; 2],
     focal: i32,
 }
 
 impl Camera {
-    fn of(size: Size) -> Self {
+    pub(crate) fn of(size: Size) -> Self {
         let [width, height] = [size.width, size.height].map(|side| side as i32);
         Self { middle: [width * 128, height * 128], focal: height * 256 }
     }
@@ -141,7 +141,7 @@ impl Camera {
     }
 }
 
-const SIDE: i32 = 64;
+pub(crate) const SIDE: i32 = 64;
 
 /// A picture of 64 x 64: a board with round holes.
 struct Board;
@@ -152,7 +152,7 @@ impl OriginDimensions for Board {
     }
 }
 
-static TEXELS: [[Rgb565; SIDE as usize]; SIDE as usize] = texels();
+pub(crate) static TEXELS: [[Rgb565; SIDE as usize]; SIDE as usize] = texels();
 
 const fn texels() -> [[Rgb565; SIDE as usize]; SIDE as usize] {
     let mut texels = [[Rgb565::new(0, 0, 0); SIDE as usize]; SIDE as usize];
@@ -192,18 +192,12 @@ fn corner(index: usize) -> Vector {
 /// The corners of each side, clockwise as seen from outside.
 const SIDES: [[usize; 4]; 6] = [[0, 1, 3, 2], [5, 4, 6, 7], [4, 0, 2, 6], [1, 5, 7, 3], [4, 5, 1, 0], [2, 3, 7, 6]];
 
-fn draw_cube<D: PixelRows<Color = Rgb565>>(
-    target: &mut D,
-    depths: &mut DepthBuffer<'_>,
-    camera: Camera,
-    frame: u32,
-) -> u32 {
+/// The cube's triangles, with coordinates in the texture in 1/256 texel.
+pub(crate) fn for_each_of_cube(camera: Camera, frame: u32, mut draw: impl FnMut(&Projected)) {
     const LAST: i32 = SIDE * 256;
-    let Ok(texture) = Texture::new(Board, Wrap::Clamp, Filter::Nearest) else { return 0 };
     let angle = frame * TURN as u32 / FRAMES;
     // Near enough to be cut, once a round.
     let away = 4 * UNIT + 3 * UNIT / 2 + (((9 * UNIT / 4) * cosine(angle)) >> 14);
-    let mut drawn = 0;
     for side in SIDES {
         let texel = [[0, 0], [LAST, 0], [LAST, LAST], [0, LAST]];
         let corners: [Seen; 4] = core::array::from_fn(|index| {
@@ -211,15 +205,9 @@ fn draw_cube<D: PixelRows<Color = Rgb565>>(
             Seen { at: [x - UNIT / 2, y, z + away], varying: texel[index] }
         });
         for [a, b, c] in [[0, 1, 2], [0, 2, 3]] {
-            camera.project(&[corners[a], corners[b], corners[c]], |seen| {
-                let Ok(perspective) = Perspective::new(seen.triangle, seen.varying, seen.distances) else { return };
-                let shaded = perspective.shaded(|at| texture.texel(at).unwrap_or(Rgb565::new(0, 0, 0)));
-                shaded.depth_tested(seen.depths, DepthTest::LESS).draw_on(target, depths);
-                drawn += 1;
-            });
+            camera.project(&[corners[a], corners[b], corners[c]], &mut draw);
         }
     }
-    drawn
 }
 
 /// Around the ring, and around its tube: 24 x 12 x 2 triangles.
@@ -242,40 +230,58 @@ fn ring_point(around: u32, across: u32, frame: u32, away: i32) -> Seen {
     Seen { at: [x - UNIT / 2, y, z + away], varying: [light, 0] }
 }
 
-fn draw_ring<D: PixelRows<Color = Rgb565>>(
-    target: &mut D,
-    depths: &mut DepthBuffer<'_>,
-    camera: Camera,
-    frame: u32,
-) -> u32 {
+/// The ring's triangles, with a shade, 0 to 16384, and nothing.
+pub(crate) fn for_each_of_ring(camera: Camera, frame: u32, mut draw: impl FnMut(&Projected)) {
     let away = 4 * UNIT + 3 * UNIT / 2 + (((9 * UNIT / 4) * cosine(frame * TURN as u32 / FRAMES)) >> 14);
-    let colour = |light: i32| {
-        let step = |last: i32| ((3 * 16384 + 13 * light) / 16 * last / 16384) as u8;
-        Rgb565::new(step(30), step(44), step(31))
-    };
-    let mut drawn = 0;
     for around in 0..AROUND {
         for across in 0..ACROSS {
             let at = |right: u32, down: u32| ring_point(around + right, across + down, frame, away);
             let (a, b, c, d) = (at(0, 0), at(1, 0), at(1, 1), at(0, 1));
             for triangle in [[a, b, c], [a, c, d]] {
-                camera.project(&triangle, |seen| {
-                    let colours = seen.varying.map(|[light, _]| colour(light));
-                    let shaded = Gouraud::new(seen.triangle, colours)
-                        .affine()
-                        .shaded(|[r, g, b]: [i32; 3]| Rgb565::new(r as u8, g as u8, b as u8));
-                    shaded.depth_tested(seen.depths, DepthTest::LESS).draw_on(target, depths);
-                    drawn += 1;
-                });
+                camera.project(&triangle, &mut draw);
             }
         }
     }
-    drawn
+}
+
+/// The colour of a shade of the ring.
+pub(crate) fn ring_colour(light: i32) -> Rgb565 {
+    let step = |last: i32| ((3 * 16384 + 13 * light) / 16 * last / 16384) as u8;
+    Rgb565::new(step(30), step(44), step(31))
+}
+
+/// Draws one of the cube's.
+pub(crate) fn draw_textured<D: PixelRows<Color = Rgb565>>(
+    seen: &Projected,
+    target: &mut D,
+    depths: &mut DepthBuffer<'_>,
+) {
+    let Ok(texture) = Texture::new(Board, Wrap::Clamp, Filter::Nearest) else { return };
+    let Ok(perspective) = Perspective::new(seen.triangle, seen.varying, seen.distances) else { return };
+    let shaded = perspective.shaded(|at| texture.texel(at).unwrap_or(Rgb565::new(0, 0, 0)));
+    shaded.depth_tested(seen.depths, DepthTest::LESS).draw_on(target, depths);
+}
+
+/// Draws one of the ring's.
+pub(crate) fn draw_lit<D: PixelRows<Color = Rgb565>>(seen: &Projected, target: &mut D, depths: &mut DepthBuffer<'_>) {
+    let shaded = Gouraud::new(seen.triangle, seen.varying.map(|[light, _]| ring_colour(light)))
+        .affine()
+        .shaded(|[r, g, b]: [i32; 3]| Rgb565::new(r as u8, g as u8, b as u8));
+    shaded.depth_tested(seen.depths, DepthTest::LESS).draw_on(target, depths);
 }
 
 /// Draws a frame; how many triangles there were.
 pub(crate) fn draw<D: PixelRows<Color = Rgb565>>(target: &mut D, depths: &mut DepthBuffer<'_>, frame: u32) -> u32 {
     depths.clear(u16::MAX);
     let camera = Camera::of(target.bounding_box().size);
-    draw_cube(target, depths, camera, frame) + draw_ring(target, depths, camera, frame)
+    let mut drawn = 0;
+    for_each_of_cube(camera, frame, |seen| {
+        draw_textured(seen, target, depths);
+        drawn += 1;
+    });
+    for_each_of_ring(camera, frame, |seen| {
+        draw_lit(seen, target, depths);
+        drawn += 1;
+    });
+    drawn
 }

@@ -110,8 +110,10 @@ fn main() -> ! {
     let mut csv = heapless::String::<4096>::new();
     writeln!(host, "| triangle | drawn | instructions | a pixel | of which set-up |\n|---|---|--:|--:|--:|")
         .expect("text");
-    for box_px in [10, 50, 200] {
-        let scenes = scenes(box_px);
+    // The last ones are larger than the screen, and have areas beyond 32 bits.
+    for (box_px, times) in [(10, 1), (50, 1), (200, 1), (200, 8)] {
+        let scenes = scenes(box_px).map(|scene| larger(scene, times));
+        let box_px = box_px * times;
         let mut all = Count { pixels: 0, rows: 0 };
         for scene in &scenes {
             let clip = PixelRect::from(frame.bounding_box());
@@ -121,7 +123,8 @@ fn main() -> ! {
             let pixels = all.pixels;
             let hundredths = (u64::from(total) * 100 / u64::from(pixels)) as u32;
             let each = total / SHAPES as u32;
-            let setup_text = setup.unwrap_or(0);
+            let setup_text: heapless::String<12> =
+                setup.map_or(heapless::String::new(), |setup| heapless::format!("{setup}").unwrap_or_default());
             writeln!(
                 host,
                 "| {box_px} px | {name} | {each} | {}.{:02} | {setup_text} |",
@@ -139,7 +142,8 @@ fn main() -> ! {
                 let none = counter.count(&scenes, |scene| {
                     let Ok(()) = thin(scene).triangle.filled(Rgb565::RED).draw(frame);
                 });
-                row($name, total, Some(start.saturating_sub(none) / SHAPES as u32));
+                // One of a pixel has a small area.
+                row($name, total, (times == 1).then_some(start.saturating_sub(none) / SHAPES as u32));
             }};
         }
         depths.clear(u16::MAX);
@@ -191,6 +195,17 @@ fn main() -> ! {
     write!(host, "\nscene,variant,target,px,instructions,hundredths_a_pixel,setup\n{csv}").expect("text");
     debug::exit(debug::EXIT_SUCCESS);
     unreachable!("the host has ended this program");
+}
+
+/// The same, scaled about the middle of the frame.
+fn larger(scene: Scene, times: i32) -> Scene {
+    let middle = [FRAME_WIDTH, FRAME_HEIGHT].map(|side| side as i32 * 128);
+    let vertices = scene.triangle.vertices.map(|vertex| {
+        let [x, y] = [(vertex.x, middle[0]), (vertex.y, middle[1])]
+            .map(|(part, middle)| (part.to_bits() - middle) * times + middle);
+        Vertex::from_bits(x, y)
+    });
+    Scene { triangle: Triangle::from_vertices(vertices), ..scene }
 }
 
 /// The same around a single pixel's centre, where a triangle is hardly more than its set-up.

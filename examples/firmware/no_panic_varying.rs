@@ -7,14 +7,14 @@ use core::{convert::Infallible, hint::black_box, panic::PanicInfo};
 
 use embedded_graphics::{
     image::GetPixel,
-    pixelcolor::{Gray4, Rgb565},
+    pixelcolor::{Gray4, Gray8, Rgb565},
     prelude::*,
     primitives::Rectangle,
 };
 use spanfill::{
     Affine, Barycentric, Circle, ConicalGradient, DepthBuffer, DepthTest, Filter, Fragment, FragmentSink, Gouraud,
-    Hatch, InPlace, LinearGradient, Mosaic, MosaicCell, Over, Pattern, Perspective, PixelRect, PixelRows,
-    RadialGradient, Solid, Spread, Stop, Stops, Texture, Tile, Triangle, Vertex, Wrap, average,
+    Hatch, InPlace, LinearGradient, Masked, Mosaic, MosaicCell, Over, Painted, Pattern, Perspective, PixelRect,
+    PixelRows, Polygon, RadialGradient, Solid, Spread, Stop, Stops, Texture, Tile, Triangle, Vertex, Wrap, average,
     prelude::*,
     splat::{Model, Node, Refinement, Sphere, Splat, Squares, View, normal},
 };
@@ -152,6 +152,13 @@ fn paints(display: &mut Display, cells: &mut [MosaicCell<3>]) {
     circle.painted(radial).draw_on(display);
     let Ok(()) = circle.painted(conical).antialiased(InPlace).draw_on(display);
     let Ok(()) = circle.painted(Hatch::new(Hatch::CROSS, Rgb565::RED, Rgb565::BLUE)).draw(display);
+    let focal = RadialGradient::elliptical(vertex(), [vertex(), vertex()], stops).with_focus(vertex(), unknown(5));
+    circle.painted(focal).draw_on(display);
+    let corners = unknown([Vertex::from_bits(0, 0); 5]);
+    let Ok(polygon) = Polygon::new(&corners).coverage_with::<6>() else { return };
+    let masked = Masked::new(polygon, Solid(Gray8::new(unknown(7))));
+    let Ok(()) = Painted::new(masked, linear).antialiased(InPlace).draw_on(display);
+    let _ = black_box(Mosaic::new(Tile::new(polygon, linear)).draw_on(display, Over(Rgb565::RED), cells));
     if let Ok(pattern) = Pattern::new(unknown(Picture(Size::zero())), unknown(Point::zero())) {
         let Ok(()) = circle.painted(pattern).draw(display);
     }

@@ -7,6 +7,7 @@ mod cli;
 mod display;
 mod ellipse;
 mod flatten;
+mod gradient;
 mod missing;
 mod paint;
 mod scene;

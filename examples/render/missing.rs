@@ -8,7 +8,6 @@ use usvg::roxmltree::{Document, Node};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Missing {
     Opacity,
-    Gradient,
     Pattern,
     ClipPath,
     Mask,
@@ -22,8 +21,7 @@ pub(crate) enum Missing {
 impl fmt::Display for Missing {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Opacity => "opacity of groups and of gradients (drawn opaque)",
-            Self::Gradient => "gradients (the average colour is drawn)",
+            Self::Opacity => "opacity of groups (drawn opaque)",
             Self::Pattern => "patterns (left out)",
             Self::ClipPath => "clip paths other than upright rectangles (drawn unclipped)",
             Self::Mask => "masks (drawn unmasked)",

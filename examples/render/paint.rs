@@ -2,16 +2,22 @@
 
 use std::convert::Infallible;
 
-use embedded_graphics::{image::GetPixel, pixelcolor::Rgb888, prelude::*, primitives::Rectangle};
+use embedded_graphics::{
+    image::GetPixel,
+    pixelcolor::{Gray8, Rgb888},
+    prelude::*,
+    primitives::Rectangle,
+};
 use embedded_graphics_simulator::SimulatorDisplay;
 use spanfill::{
-    ActiveEdge, AntiAlias, Circle, Cover, CoverageEdge, CoverageSink, Fill, Line, Mix, PixelRect, Polygon, ReadBack,
-    SampleCell, SampleEdge, Samples, Shape, Span, SpanSink, Triangle, Vertex,
+    ActiveEdge, AntiAlias, Circle, Cover, CoverageEdge, CoverageSink, Fill, Line, LinearGradient, Masked, Mix, Paint,
+    Painted, PixelRect, Polygon, RadialGradient, ReadBack, SampleCell, SampleEdge, Samples, Shape, Span, SpanSink,
+    Stop, Stops, Triangle, Vertex,
 };
 
 use super::{
     cli::Aa,
-    scene::{Item, Outline},
+    scene::{Colours, Gradient, Item, Outline, Places},
 };
 
 /// A part of the display that can also be read.
@@ -46,6 +52,10 @@ impl<C: PixelColor> DrawTarget for Window<'_, C> {
     fn fill_solid(&mut self, area: &Rectangle, colour: C) -> Result<(), Infallible> {
         self.display.fill_solid(area, colour)
     }
+
+    fn fill_contiguous<I: IntoIterator<Item = C>>(&mut self, area: &Rectangle, colours: I) -> Result<(), Infallible> {
+        self.display.fill_contiguous(area, colours)
+    }
 }
 
 /// Scratch, as much as the shapes so far have needed.
@@ -72,7 +82,7 @@ pub(crate) fn paint<C: Mix + From<Rgb888>>(
     scratch: &mut Scratch,
 ) -> Result<(), Box<dyn std::error::Error>> {
     let columns = window.part.size.width.max(1) as usize;
-    let mut brush = Brush { colour: C::from(item.colour), opacity: item.opacity, window };
+    let mut brush = Brush { colours: &item.colours, opacity: item.opacity, window };
     let samples = match aa {
         Aa::None => return without_anti_aliasing(item, &mut brush, scratch),
         Aa::Exact => return by_area(item, &mut brush, scratch),
@@ -102,7 +112,7 @@ pub(crate) fn paint<C: Mix + From<Rgb888>>(
     Ok(())
 }
 
-fn without_anti_aliasing<C: Mix>(
+fn without_anti_aliasing<C: Mix + From<Rgb888>>(
     item: &Item,
     brush: &mut Brush<'_, '_, C>,
     scratch: &mut Scratch,
@@ -122,7 +132,7 @@ fn without_anti_aliasing<C: Mix>(
     Ok(())
 }
 
-fn by_area<C: Mix>(
+fn by_area<C: Mix + From<Rgb888>>(
     item: &Item,
     brush: &mut Brush<'_, '_, C>,
     scratch: &mut Scratch,
@@ -153,21 +163,75 @@ fn corners_of([start, end]: [Vertex; 2]) -> [Vertex; 4] {
 
 /// What the shapes of an item have in common.
 struct Brush<'w, 'd, C> {
-    colour: C,
+    colours: &'w Colours,
     opacity: u8,
     window: &'w mut Window<'d, C>,
 }
 
-impl<C: Mix> Brush<'_, '_, C> {
+impl<C: Mix + From<Rgb888>> Brush<'_, '_, C> {
     fn fill(&mut self, shape: impl Shape) {
-        if self.opacity < 255 {
-            return self.blend(Wholly(shape));
+        match self.colours {
+            Colours::One(colour) if self.opacity == 255 => {
+                let Ok(()) = shape.filled(C::from(*colour)).draw(self.window);
+            }
+            _ => self.blend(Wholly(shape)),
         }
-        let Ok(()) = shape.filled(self.colour).draw(self.window);
     }
 
     fn blend(&mut self, shape: impl Cover) {
-        let Ok(()) = shape.antialiased(self.colour, ReadBack).opacity(self.opacity).draw_on(self.window);
+        match self.colours {
+            Colours::One(colour) => {
+                let blended = shape.antialiased(C::from(*colour), ReadBack).opacity(self.opacity);
+                let Ok(()) = blended.draw_on(self.window);
+            }
+            Colours::Gradient(gradient) => self.blend_gradient(shape, gradient),
+        }
+    }
+
+    fn blend_gradient(&mut self, shape: impl Cover, gradient: &Gradient) {
+        let Ok(colours) = Stops::new(&gradient.stops, gradient.spread) else { return };
+        let through = opacities(gradient, self.opacity);
+        let through = through.as_deref().and_then(|stops| Stops::new(stops, gradient.spread).ok());
+        match gradient.places {
+            Places::Linear { start, end } => self.blend_paint(
+                shape,
+                LinearGradient::new(start, end, colours),
+                through.map(|stops| LinearGradient::new(start, end, stops)),
+            ),
+            Places::Radial { center, ends, focus, focal_radius } => self.blend_paint(
+                shape,
+                RadialGradient::elliptical(center, ends, colours).with_focus(focus, focal_radius),
+                through.map(|stops| RadialGradient::elliptical(center, ends, stops).with_focus(focus, focal_radius)),
+            ),
+        }
+    }
+
+    fn blend_paint(&mut self, shape: impl Cover, colours: impl Paint<Rgb888>, through: Option<impl Paint<Gray8>>) {
+        let colours = Converted(colours);
+        let Ok(()) = match through {
+            None => Painted::new(shape, colours).antialiased(ReadBack).draw_on(self.window),
+            Some(through) => {
+                Painted::new(Masked::new(shape, through), colours).antialiased(ReadBack).draw_on(self.window)
+            }
+        };
+    }
+}
+
+/// How much of each stop is let through, less what the whole lets through; none where all is.
+fn opacities(gradient: &Gradient, whole: u8) -> Option<Vec<Stop<Gray8>>> {
+    let let_through = |opacity: u8| Gray8::new(((u32::from(opacity) * u32::from(whole) + 127) / 255) as u8);
+    match &gradient.opacities {
+        Some(stops) => Some(stops.iter().map(|stop| Stop::new(stop.offset, let_through(stop.colour.luma()))).collect()),
+        None => (whole < 255).then(|| vec![Stop::new(0, Gray8::new(whole))]),
+    }
+}
+
+/// A paint in true colour on a display of fewer.
+struct Converted<P>(P);
+
+impl<C: From<Rgb888>, P: Paint<Rgb888>> Paint<C> for Converted<P> {
+    fn row(&self, row: i32, column: i32) -> impl Iterator<Item = C> {
+        self.0.row(row, column).map(C::from)
     }
 }
 

@@ -1,7 +1,11 @@
 //! What is to be drawn, in the crate's own numbers: pixels and 1/256 of them.
 
-use embedded_graphics::{geometry::Size, pixelcolor::Rgb888, primitives::Rectangle};
-use spanfill::{FillRule, I24F8, Vertex};
+use embedded_graphics::{
+    geometry::Size,
+    pixelcolor::{Gray8, Rgb888},
+    primitives::Rectangle,
+};
+use spanfill::{FillRule, I24F8, Spread, Stop, Vertex};
 
 /// Shapes in the order in which they are painted, for a display of a size.
 #[derive(Debug)]
@@ -10,15 +14,48 @@ pub(crate) struct Scene {
     pub(crate) items: Vec<Item>,
 }
 
-/// One shape in one colour.
+/// One shape in its paint.
 #[derive(Debug)]
 pub(crate) struct Item {
     pub(crate) outline: Outline,
-    pub(crate) colour: Rgb888,
+    pub(crate) colours: Colours,
     /// Of 255; not 0.
     pub(crate) opacity: u8,
     /// No pixel outside of this rectangle is touched.
     pub(crate) clip: Rectangle,
+}
+
+/// One colour, or a gradient.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Colours {
+    One(Rgb888),
+    Gradient(Gradient),
+}
+
+/// One of the crate's gradients, owning its stops.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Gradient {
+    pub(crate) places: Places,
+    pub(crate) spread: Spread,
+    pub(crate) stops: Vec<Stop<Rgb888>>,
+    /// How much of each stop is let through; none where all of it is.
+    pub(crate) opacities: Option<Vec<Stop<Gray8>>>,
+}
+
+/// Where a gradient goes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Places {
+    Linear {
+        start: Vertex,
+        end: Vertex,
+    },
+    Radial {
+        center: Vertex,
+        ends: [Vertex; 2],
+        focus: Vertex,
+        /// In 1/65536 of the gradient.
+        focal_radius: u32,
+    },
 }
 
 /// One of the crate's shapes, owning its vertices.

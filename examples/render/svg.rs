@@ -2,19 +2,18 @@
 
 use embedded_graphics::{
     geometry::{Point as Pixel, Size},
-    pixelcolor::Rgb888,
     primitives::Rectangle,
 };
 use kurbo::{Affine, BezPath, Shape};
-use usvg::{BaseGradient, ClipPath, Group, Node, Paint, PaintOrder, Tree, roxmltree};
+use usvg::{ClipPath, Group, Node, Paint, PaintOrder, Tree, roxmltree};
 
 use super::{
     arcs::split_arcs,
     cli::{LONGEST_SIDE, check_size},
     ellipse::Ellipse,
-    flatten,
+    flatten, gradient,
     missing::{Missing, MissingKinds, elements_left_out},
-    scene::{Item, Outline, Scene},
+    scene::{Colours, Item, Outline, Scene},
     stroke::{Hairlines, Stroked, bez_path, stroke},
     transform::{affine, stretches},
 };
@@ -179,7 +178,7 @@ impl Walk {
     fn fill(&mut self, path: &usvg::Path, to_device: Affine, clip: Rectangle, opacity: f32) {
         let Some(fill) = path.fill() else { return };
         let Some(opacity) = in_255ths(opacity * fill.opacity().get()) else { return };
-        let Some(colour) = self.colour(fill.paint()) else { return };
+        let Some(colours) = self.colours(fill.paint(), to_device) else { return };
         let ellipse = Ellipse::recognise(path.data());
         let circle = ellipse.and_then(|ellipse| ellipse.circle(to_device));
         let outline = match circle {
@@ -192,66 +191,42 @@ impl Walk {
                 Outline::filling(flatten::flatten(&(to_device * curve(path, ellipse, to_device))), rule)
             }
         };
-        self.items.extend(outline.map(|outline| Item { outline, colour, opacity, clip }));
+        self.items.extend(outline.map(|outline| Item { outline, colours, opacity, clip }));
     }
 
     fn stroke(&mut self, path: &usvg::Path, to_device: Affine, clip: Rectangle, opacity: f32) {
         let Some(style) = path.stroke() else { return };
         let Some(opacity) = in_255ths(opacity * style.opacity().get()) else { return };
-        let Some(colour) = self.colour(style.paint()) else { return };
+        let Some(colours) = self.colours(style.paint(), to_device) else { return };
         let curve = curve(path, Ellipse::recognise(path.data()), to_device);
         match stroke(&curve, style, to_device, self.hairlines) {
             None => {}
             Some(Stroked::Lines(lines)) => {
                 let lines = lines.into_iter().map(Outline::Line);
-                self.items.extend(lines.map(|outline| Item { outline, colour, opacity, clip }));
+                self.items.extend(lines.map(|outline| Item { outline, colours: colours.clone(), opacity, clip }));
             }
             Some(Stroked::Contours(contours)) => {
                 let outline = Outline::filling(contours, spanfill::FillRule::NonZero);
-                self.items.extend(outline.map(|outline| Item { outline, colour, opacity, clip }));
+                self.items.extend(outline.map(|outline| Item { outline, colours, opacity, clip }));
             }
             Some(Stroked::Outline(outline)) => {
                 let outline = Outline::filling(flatten::flatten(&outline), spanfill::FillRule::NonZero);
-                self.items.extend(outline.map(|outline| Item { outline, colour, opacity, clip }));
+                self.items.extend(outline.map(|outline| Item { outline, colours, opacity, clip }));
             }
         }
     }
 
-    /// The one colour that stands for a paint; none when there is nothing to see.
-    fn colour(&mut self, paint: &Paint) -> Option<Rgb888> {
+    /// None when there is nothing to see.
+    fn colours(&mut self, paint: &Paint, to_device: Affine) -> Option<Colours> {
         match paint {
-            Paint::Color(usvg::Color { red, green, blue }) => Some(Rgb888::new(*red, *green, *blue)),
-            Paint::LinearGradient(gradient) => self.average(gradient),
-            Paint::RadialGradient(gradient) => self.average(gradient),
+            Paint::Color(colour) => Some(Colours::One(gradient::colour(*colour))),
+            Paint::LinearGradient(linear) => gradient::linear(linear, to_device),
+            Paint::RadialGradient(radial) => gradient::radial(radial, to_device),
             Paint::Pattern(_) => {
                 self.missing.insert(Missing::Pattern);
                 None
             }
         }
-    }
-
-    /// The mean over a gradient's length, without its transparent stops.
-    fn average(&mut self, gradient: &BaseGradient) -> Option<Rgb888> {
-        self.missing.insert(Missing::Gradient);
-        let stops: Vec<_> = gradient.stops().iter().filter(|stop| stop.opacity().get() > 0.0).collect();
-        if stops.iter().any(|stop| stop.opacity().get() < 1.0) || stops.len() < gradient.stops().len() {
-            self.missing.insert(Missing::Opacity);
-        }
-        let offset = |index: usize| f64::from(stops[index].offset().get());
-        let last = stops.len().checked_sub(1)?;
-        let mut sum = [0.0; 3];
-        for (index, stop) in stops.iter().enumerate() {
-            // A stop's colour fades to the next one's: it counts for half of the way to each, and outwards wholly.
-            let from = if index == 0 { 0.0 } else { offset(index - 1).midpoint(offset(index)) };
-            let to = if index == last { 1.0 } else { offset(index).midpoint(offset(index + 1)) };
-            let usvg::Color { red, green, blue } = stop.color();
-            for (channel, value) in sum.iter_mut().zip([red, green, blue]) {
-                *channel += (to - from) * f64::from(value);
-            }
-        }
-        // Weights add up to one: the casts lose nothing but the fraction.
-        let [red, green, blue] = sum.map(|channel| channel.round() as u8);
-        Some(Rgb888::new(red, green, blue))
     }
 }
 

@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::{
-    area::{AreaSink, WINDOW},
+    area::{AreaSink, PlacedAreaSink, WINDOW},
     coverage::CoverageSink,
     span::Span,
 };
@@ -55,6 +55,12 @@ impl<S: CoverageSink> AreaSink for Rounded<'_, S> {
         self.result =
             if has_zeros { send_parts(self.sink, row, column, coverage) } else { self.sink.run(row, column, coverage) };
         self.result.is_ok()
+    }
+}
+
+impl<S: CoverageSink> PlacedAreaSink for Rounded<'_, S> {
+    fn place(&mut self, corner: (i32, i32)) {
+        self.corner = corner;
     }
 }
 

@@ -12,3 +12,9 @@ pub(crate) trait AreaSink {
     /// Columns one by one; `false` ends the walk.
     fn run(&mut self, row: i32, column: i32, areas: &[i32]) -> bool;
 }
+
+/// Takes areas from a corner of the screen on.
+pub(crate) trait PlacedAreaSink: AreaSink {
+    /// Column and row that are the first in what follows.
+    fn place(&mut self, corner: (i32, i32));
+}

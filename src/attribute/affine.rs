@@ -85,13 +85,16 @@ impl Affine<3> {
     }
 }
 
-impl<W: Word, const N: usize> AttributeRow<N> for Rightwards<W, N> {
+impl<W: Word, const N: usize> AttributeRow<N> for Rightwards<'_, W, N> {
     /// Out of line: within a walk, its registers would be taken.
     #[inline(never)]
-    fn write<T>(self, into: &mut [T], mut write: impl FnMut(&mut T, [i32; N])) {
-        for (item, values) in into.iter_mut().zip(self) {
+    fn write<T>(&mut self, into: &mut [T], mut write: impl FnMut(&mut T, [i32; N])) {
+        let mut values = self.clone();
+        for item in into {
+            let Some(values) = values.next() else { return };
             write(item, values);
         }
+        *self = values;
     }
 }
 

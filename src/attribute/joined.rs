@@ -7,6 +7,8 @@
 //! A step adds the whole units of all at once, and, for each remainder that runs over, its own unit: exact, and four
 //! instructions a value. Where every value is in range the word is the colour; on the way, it is right modulo 2^32.
 
+use core::hint::select_unpredictable;
+
 use crate::attribute::{
     plane::{NEAR_COLUMNS, Planes, Step, Word},
     walk::Follow,
@@ -86,9 +88,9 @@ impl<W: Word, U: Units<N, WORDS>, const N: usize, const WORDS: usize> Joined<W, 
         }
         for ((lacking, rest), units) in lacking.iter_mut().zip(step.rests).zip(U::UNITS) {
             let (next, carries) = lacking.overflowing_add(rest);
-            *lacking = if carries { next.wrapping_sub(area) } else { next };
+            *lacking = select_unpredictable(carries, next.wrapping_sub(area), next);
             for (word, unit) in words.iter_mut().zip(units) {
-                *word = if carries { word.wrapping_add(unit) } else { *word };
+                *word = select_unpredictable(carries, word.wrapping_add(unit), *word);
             }
         }
     }
@@ -101,9 +103,9 @@ impl<W: Word, U: Units<N, WORDS>, const N: usize, const WORDS: usize> Joined<W, 
         for ((lacking, rest), units) in lacking.iter_mut().zip(step.rests).zip(U::UNITS) {
             let borrows = lacking.wrapping_add(area).less(rest);
             let next = lacking.wrapping_sub(rest);
-            *lacking = if borrows { next.wrapping_add(area) } else { next };
+            *lacking = select_unpredictable(borrows, next.wrapping_add(area), next);
             for (word, unit) in words.iter_mut().zip(units) {
-                *word = if borrows { word.wrapping_sub(unit) } else { *word };
+                *word = select_unpredictable(borrows, word.wrapping_sub(unit), *word);
             }
         }
     }

@@ -214,6 +214,17 @@ impl<const N: usize> Piece<N> {
         }
         values
     }
+
+    /// Goes past some that are left.
+    #[inline(always)]
+    fn skip(&mut self, count: u32) {
+        self.left = self.left.saturating_sub(count);
+        if self.left > 0 {
+            for (current, step) in self.current.iter_mut().zip(&self.step) {
+                *current = current.wrapping_add(step.wrapping_mul(count.cast_signed()));
+            }
+        }
+    }
 }
 
 impl<W: Word, const N: usize> Pieces<'_, W, N> {
@@ -298,15 +309,17 @@ impl<W: Word, const N: usize> Iterator for Pieces<'_, W, N> {
 
 impl<W: Word, const N: usize> AttributeRow<N> for Pieces<'_, W, N> {
     #[inline(never)]
-    fn write<T>(mut self, into: &mut [T], mut write: impl FnMut(&mut T, [i32; N])) {
+    fn write<T>(&mut self, into: &mut [T], mut write: impl FnMut(&mut T, [i32; N])) {
         let mut rest = into;
         while !rest.is_empty() {
-            self.refill();
-            let piece = self.piece;
-            self.piece.left = 0;
-            let length = usize::try_from(piece.left).unwrap_or(1).min(rest.len());
-            let Some((now, later)) = rest.split_at_mut_checked(length) else { return };
-            write_piece(piece, now, &mut write);
+            if self.piece.left == 0 {
+                self.refill();
+            }
+            let left = usize::try_from(self.piece.left).unwrap_or(1);
+            let Some((now, later)) = rest.split_at_mut_checked(left.min(rest.len())) else { return };
+            let written = u32::try_from(now.len()).unwrap_or(0);
+            write_piece(self.piece, now, &mut write);
+            self.piece.skip(written);
             rest = later;
         }
     }

@@ -24,7 +24,7 @@
 //! right there; on the way, through centres outside, it may be any number. That is why a sliver, where a step may be
 //! 2^50, costs nothing special.
 
-use core::{array, fmt::Debug};
+use core::{array, fmt::Debug, hint::select_unpredictable};
 
 use crate::{Vertex, subpixel::centre};
 
@@ -284,7 +284,7 @@ impl<W: Word> At<W> {
     fn step(&mut self, step: &Step<W>, area: W) {
         let (lacking, carries) = self.lacking.overflowing_add(step.rest);
         self.value = self.value.wrapping_add(step.whole).wrapping_add(i32::from(carries));
-        self.lacking = if carries { lacking.wrapping_sub(area) } else { lacking };
+        self.lacking = select_unpredictable(carries, lacking.wrapping_sub(area), lacking);
     }
 
     #[inline(always)]
@@ -292,7 +292,7 @@ impl<W: Word> At<W> {
         let borrows = self.lacking.wrapping_add(area).less(step.rest);
         let lacking = self.lacking.wrapping_sub(step.rest);
         self.value = self.value.wrapping_sub(step.whole).wrapping_sub(i32::from(borrows));
-        self.lacking = if borrows { lacking.wrapping_add(area) } else { lacking };
+        self.lacking = select_unpredictable(borrows, lacking.wrapping_add(area), lacking);
     }
 }
 
@@ -381,8 +381,8 @@ impl<W: Word, const N: usize> Planes<W, N> {
 
     /// The values from the current centre to the right.
     #[inline(always)]
-    pub(crate) fn to_the_right(&self) -> Rightwards<W, N> {
-        Rightwards { area: self.area, current: self.current, steps: self.right }
+    pub(crate) fn to_the_right(&self) -> Rightwards<'_, W, N> {
+        Rightwards { current: self.current, planes: self }
     }
 
     #[inline(always)]
@@ -447,20 +447,19 @@ fn zip3<const N: usize>(a: &[i32; N], b: &[i32; N], c: &[i32; N]) -> [(i32, i32,
 
 /// The values at the centres of a span, from left to right; it has no end.
 #[derive(Debug, Clone)]
-pub(crate) struct Rightwards<W, const N: usize> {
-    area: W,
+pub(crate) struct Rightwards<'p, W: Word, const N: usize> {
     current: [At<W>; N],
-    steps: [Step<W>; N],
+    planes: &'p Planes<W, N>,
 }
 
-impl<W: Word, const N: usize> Iterator for Rightwards<W, N> {
+impl<W: Word, const N: usize> Iterator for Rightwards<'_, W, N> {
     type Item = [i32; N];
 
     #[inline(always)]
     fn next(&mut self) -> Option<[i32; N]> {
         let values = self.current.map(|at| at.value);
-        for (at, step) in self.current.iter_mut().zip(&self.steps) {
-            at.step(step, self.area);
+        for (at, step) in self.current.iter_mut().zip(&self.planes.right) {
+            at.step(step, self.planes.area);
         }
         Some(values)
     }

@@ -67,7 +67,7 @@ impl<S: FragmentSink<N>, const N: usize> AttributeSink<N> for EachFragment<'_, S
         &mut self,
         span: Span,
         values: impl AttributeRow<N>,
-        depths: impl Iterator<Item = u16>,
+        depths: impl Iterator<Item = u16> + Clone,
     ) -> Result<(), S::Error> {
         let Span { row: y, columns } = span;
         for (x, (attributes, depth)) in columns.zip(values.zip(depths)) {
@@ -136,7 +136,12 @@ impl<D: DrawTarget, F: Fn([i32; N]) -> D::Color + Copy, const N: usize> Attribut
     type Error = D::Error;
 
     #[inline]
-    fn span(&mut self, span: Span, values: impl AttributeRow<N>, _: impl Iterator<Item = u16>) -> Result<(), D::Error> {
+    fn span(
+        &mut self,
+        span: Span,
+        values: impl AttributeRow<N>,
+        _: impl Iterator<Item = u16> + Clone,
+    ) -> Result<(), D::Error> {
         let area = row_area(&span);
         let width = usize::try_from(area.size.width).unwrap_or(usize::MAX);
         self.target.fill_contiguous(&area, values.map(self.shade).take(width))
@@ -164,8 +169,8 @@ impl<D: PixelRows, F: Fn([i32; N]) -> D::Color + Copy, const N: usize> Attribute
     fn span(
         &mut self,
         span: Span,
-        values: impl AttributeRow<N>,
-        _: impl Iterator<Item = u16>,
+        mut values: impl AttributeRow<N>,
+        _: impl Iterator<Item = u16> + Clone,
     ) -> Result<(), core::convert::Infallible> {
         let shade = self.shade;
         values.write(row_of(self.target, &span), move |pixel, values| *pixel = shade(values));
@@ -208,29 +213,37 @@ impl<A, F> DepthTested<A, F> {
         let clip = buffer.cut(target.bounding_box());
         let Self { shaded: Shaded { attributes, shade }, depths, test } = self;
         let (depths, shade) = (*depths, *shade);
-        let Ok(()) = match test {
+        let Ok(()) = match *test {
             // The loop knows its test: less is by far the most usual one.
             DepthTest { less: true, equal: false, write: true } => {
-                let test = DepthTest::LESS;
-                attributes.interpolate_with_depth(depths, &clip, &mut TestedIntoRows { target, buffer, shade, test })
+                let passes = |depth: u16, kept: &mut u16| {
+                    let passes = depth < *kept;
+                    *kept = depth.min(*kept);
+                    passes
+                };
+                attributes.interpolate_with_depth(depths, &clip, &mut TestedIntoRows { target, buffer, shade, passes })
             }
             test => {
-                let test = *test;
-                attributes.interpolate_with_depth(depths, &clip, &mut TestedIntoRows { target, buffer, shade, test })
+                let passes = move |depth: u16, kept: &mut u16| test.passes(depth, kept);
+                attributes.interpolate_with_depth(depths, &clip, &mut TestedIntoRows { target, buffer, shade, passes })
             }
         };
     }
 }
 
-struct TestedIntoRows<'t, 'b, D, F> {
+struct TestedIntoRows<'t, 'b, D, F, P> {
     target: &'t mut D,
     buffer: &'t mut DepthBuffer<'b>,
     shade: F,
-    test: DepthTest,
+    /// Whether a depth passes beside the one that is kept, which it may change.
+    passes: P,
 }
 
-impl<D: PixelRows, F: Fn([i32; N]) -> D::Color + Copy, const N: usize> AttributeSink<N>
-    for TestedIntoRows<'_, '_, D, F>
+impl<D, F, P, const N: usize> AttributeSink<N> for TestedIntoRows<'_, '_, D, F, P>
+where
+    D: PixelRows,
+    F: Fn([i32; N]) -> D::Color + Copy,
+    P: Fn(u16, &mut u16) -> bool + Copy,
 {
     type Error = core::convert::Infallible;
 
@@ -238,58 +251,46 @@ impl<D: PixelRows, F: Fn([i32; N]) -> D::Color + Copy, const N: usize> Attribute
     fn span(
         &mut self,
         span: Span,
-        values: impl AttributeRow<N>,
-        depths: impl Iterator<Item = u16>,
+        mut values: impl AttributeRow<N>,
+        mut depths: impl Iterator<Item = u16> + Clone,
     ) -> Result<(), core::convert::Infallible> {
-        let Self { ref mut target, ref mut buffer, shade, test } = *self;
-        let kept = buffer.row_mut(&span);
-        let row = row_of(*target, &span);
-        if kept.len() > 32 * WORDS {
-            let mut kept = kept.iter_mut().zip(depths);
-            values.write(row, move |pixel, values| {
-                if let Some((kept, depth)) = kept.next()
-                    && test.passes(depth, kept)
-                {
+        let Self { ref mut target, ref mut buffer, shade, passes } = *self;
+        let mut kept = buffer.row_mut(&span);
+        let mut row = row_of(*target, &span);
+        while let Some((now, later)) = kept.split_at_mut_checked(kept.len().min(32)) {
+            let Some((pixels, after)) = row.split_at_mut_checked(now.len()) else { break };
+            let mut passed = test_pixels(now, &mut depths, passes);
+            // Nothing is worked out for the end of a row that is hidden.
+            if pixels.is_empty() || passed == 0 && after.is_empty() {
+                break;
+            }
+            values.write(pixels, move |pixel, values| {
+                if passed & 1 != 0 {
                     *pixel = shade(values);
                 }
+                passed >>= 1;
             });
-            return Ok(());
+            (kept, row) = (later, after);
         }
-        let passed = test_row(kept, depths, test);
-        let (mut words, mut bits, mut left) = (passed.iter(), 0_u32, 0_u32);
-        values.write(row, move |pixel, values| {
-            if left == 0 {
-                (bits, left) = (words.next().copied().unwrap_or(0), 32);
-            }
-            if bits & 1 != 0 {
-                *pixel = shade(values);
-            }
-            bits >>= 1;
-            left -= 1;
-        });
         Ok(())
     }
 }
 
-/// Room for the answers of 512 pixels; longer spans are tested pixel by pixel.
-const WORDS: usize = 16;
-
-/// Which pixels of a row pass, a bit each. Depths and colours each have a loop, and so enough registers.
+/// Which of up to 32 pixels pass, a bit each. Depths and colours each have a loop, and so enough registers.
 #[inline(never)]
-fn test_row(kept: &mut [u16], depths: impl Iterator<Item = u16>, test: DepthTest) -> [u32; WORDS] {
-    let mut passed = [0; WORDS];
-    let mut depths = depths;
-    for (kept, passed) in kept.chunks_mut(32).zip(&mut passed) {
-        let mut bit = 1_u32;
-        let mut word = 0;
-        for (kept, depth) in kept.iter_mut().zip(&mut depths) {
-            if test.passes(depth, kept) {
-                word |= bit;
-            }
-            bit <<= 1;
-        }
-        *passed = word;
+fn test_pixels<I: Iterator<Item = u16> + Clone>(
+    kept: &mut [u16],
+    depths: &mut I,
+    passes: impl Fn(u16, &mut u16) -> bool,
+) -> u32 {
+    // In registers, not where they came from.
+    let mut next = depths.clone();
+    let mut passed = 0;
+    for (kept, bit) in kept.iter_mut().zip(0_u32..) {
+        let Some(depth) = next.next() else { break };
+        passed |= u32::from(passes(depth, kept)).wrapping_shl(bit);
     }
+    *depths = next;
     passed
 }
 
@@ -311,7 +312,7 @@ impl<D: DrawTarget, F: Fn([i32; N]) -> D::Color + Copy, const N: usize> Attribut
         &mut self,
         span: Span,
         values: impl AttributeRow<N>,
-        depths: impl Iterator<Item = u16>,
+        depths: impl Iterator<Item = u16> + Clone,
     ) -> Result<(), D::Error> {
         let Span { row, columns } = span.clone();
         let mut run = heapless::Vec::<D::Color, PIECE>::new();

@@ -7,7 +7,7 @@ pub trait AttributeRow<const N: usize>: Iterator<Item = [i32; N]> {
     /// Gives every item of `into` its values, from left to right: as by the iterator, and faster where values come in
     /// pieces.
     #[inline(always)]
-    fn write<T>(self, into: &mut [T], mut write: impl FnMut(&mut T, [i32; N]))
+    fn write<T>(&mut self, into: &mut [T], mut write: impl FnMut(&mut T, [i32; N]))
     where
         Self: Sized,
     {
@@ -33,6 +33,6 @@ pub trait AttributeSink<const N: usize> {
         &mut self,
         span: Span,
         values: impl AttributeRow<N>,
-        depths: impl Iterator<Item = u16>,
+        depths: impl Iterator<Item = u16> + Clone,
     ) -> Result<(), Self::Error>;
 }

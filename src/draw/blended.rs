@@ -18,7 +18,7 @@ pub(super) struct BlendedFill<'t, D: DrawTarget, B> {
 
 /// Coverage let through, to the nearest 255th: 255 leaves the other as it is. See `mix_one` for the division.
 #[inline(always)]
-fn faded(coverage: u8, opacity: u8) -> u8 {
+pub(crate) fn faded(coverage: u8, opacity: u8) -> u8 {
     let biased = u16::from(coverage) * u16::from(opacity) + 128;
     let [_, quotient] = (biased + (biased >> 8)).to_le_bytes();
     quotient

@@ -6,5 +6,6 @@ mod bounded;
 mod filled;
 
 pub use antialiased::{AntiAlias, AntiAliased};
+pub(crate) use blended::faded;
 pub use bounded::Bounded;
 pub use filled::{Fill, Filled};

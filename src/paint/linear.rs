@@ -5,9 +5,9 @@ use crate::{
     attribute::Channels,
     paint::{
         Paint, Stops,
-        stops::{Places, WHOLE},
+        plane::{Places, Plane, SLOPE_BITS, difference, slope},
+        stops::WHOLE,
     },
-    subpixel::centre,
 };
 
 /// A gradient from one point to another: the place of a pixel centre is that of its foot on the line through both.
@@ -40,44 +40,28 @@ use crate::{
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct LinearGradient<'a, C, const N: usize> {
-    start: Vertex,
-    /// How the place changes with x and y, in `2^-48` of the gradient a sub-pixel: below `2^48 + 1`, as `|d|` is at
-    /// least 1. None where `d` is 0.
-    slope: Option<[i64; 2]>,
+    /// None where start and end are one point.
+    plane: Option<Plane>,
     stops: Stops<'a, C, N>,
 }
 
 impl<'a, C: Channels<N>, const N: usize> LinearGradient<'a, C, N> {
     /// A gradient between two points.
     pub fn new(start: Vertex, end: Vertex, stops: Stops<'a, C, N>) -> Self {
-        let d = [
-            i128::from(end.x.to_bits()) - i128::from(start.x.to_bits()),
-            i128::from(end.y.to_bits()) - i128::from(start.y.to_bits()),
-        ];
+        let d = difference(start, end);
         let [dx, dy] = d;
         let square = dx * dx + dy * dy;
-        let slope = (square > 0).then(|| {
-            d.map(|d| {
-                let doubled = ((d << 49) + square).div_euclid((2 * square).max(1));
-                i64::try_from(doubled).unwrap_or(0)
-            })
-        });
-        Self { start, slope, stops }
+        let plane =
+            (square > 0).then(|| Plane { origin: start, offset: 0, slope: d.map(|d| slope(d << SLOPE_BITS, square)) });
+        Self { plane, stops }
     }
 }
 
 impl<C: Channels<N>, const N: usize> Paint<C> for LinearGradient<'_, C, N> {
     fn row(&self, row: i32, column: i32) -> impl Iterator<Item = C> {
-        let Some([gx, gy]) = self.slope else {
-            return self.stops.padded().colours(row, column, Places { at: WHOLE, step: 0 });
-        };
-        let x = i128::from(centre(column)) - i128::from(self.start.x.to_bits());
-        let y = i128::from(centre(row)) - i128::from(self.start.y.to_bits());
-        // Below 2^83: 2^48 times twice a distance of 2^33.
-        let place = (i128::from(gx) * x + i128::from(gy) * y) >> 16;
-        // Far beyond, no gradient has anything but its ends; repeated ones lose their phase.
-        let reach = i128::from(WHOLE) << 20;
-        let places = Places { at: i64::try_from(place.clamp(-reach, reach)).unwrap_or(0), step: (gx << 8) >> 16 };
-        self.stops.colours(row, column, places)
+        match &self.plane {
+            Some(plane) => self.stops.colours(row, column, plane.row(row, column)),
+            None => self.stops.padded().colours(row, column, Places { at: WHOLE, step: 0 }),
+        }
     }
 }

@@ -6,22 +6,25 @@
 //! Mosaic: coverage and colour of several shapes added up in a row of scratch, then Blend, once a pixel
 //! ```
 
+mod areas;
 mod conical;
 mod dither;
 mod gouraud;
 mod linear;
+mod masked;
 mod mosaic;
 mod painted;
 mod pattern;
+mod plane;
 mod radial;
 mod stops;
 
+pub use areas::{AreaSink, Areas, Rounded};
 pub use conical::ConicalGradient;
 pub use gouraud::GouraudPaint;
 pub use linear::LinearGradient;
-pub use mosaic::{
-    AreaSink, Areas, Cells, Mosaic, MosaicCell, MosaicError, MosaicScratchTooSmall, Rounded, Tile, Tiles,
-};
+pub use masked::Masked;
+pub use mosaic::{Cells, Mosaic, MosaicCell, MosaicError, MosaicScratchTooSmall, Tile, Tiles};
 pub use painted::{Painted, PaintedAntiAliased, Painting};
 pub use pattern::{EmptyPattern, Hatch, Pattern, Solid};
 pub use radial::RadialGradient;

@@ -17,12 +17,11 @@
 //! # How near
 //!
 //! Areas come from [`Areas`], in `2^-24` of a pixel, with a bound on their error. What is nearer to a whole pixel than
-//! the errors of its shapes together is whole: within a partition the sum is exactly 255, whatever the areas were
-//! rounded to. [`Rounded`] takes any [`Cover`], whose 8 bits are off by 1/510 each, and leave out what is less: along the rim of the
-//! union, coverage is that of the union within 3/510 for each shape that has a part in the pixel. An engine that tells its sums
-//! before they are rounded implements [`Areas`] itself, with an error of a few `2^-24`, and the rim is exact.
+//! the errors of its shapes together is whole: within a partition the sum is exactly 255. Triangles and polygons tell
+//! their areas before anything is rounded, and the rim of the union is exact, too. For the rest, see
+//! [`Rounded`](crate::Rounded).
 
-use core::{convert::Infallible, fmt, ops::Range};
+use core::{fmt, ops::Range};
 
 use embedded_graphics_core::{
     draw_target::DrawTarget,
@@ -34,79 +33,12 @@ use crate::{
     PixelRect,
     attribute::Channels,
     blend::{Blend, right_of},
-    coverage::CoverageSink,
-    paint::Paint,
-    shape::Cover,
+    paint::{
+        Paint,
+        areas::{AreaSink, Areas, WHOLE},
+    },
     span::{Span, clip_range},
 };
-
-/// A whole pixel, in units of areas.
-const WHOLE: u32 = 1 << 24;
-
-/// Receives how much of each pixel a shape covers, in `2^-24` of it.
-pub trait AreaSink {
-    /// Takes the pixels of a span, which are all covered alike.
-    fn alike(&mut self, span: Span, area: u32);
-
-    /// Takes the pixels of `row` from `column` on, one for each of the areas.
-    fn areas(&mut self, row: i32, column: i32, areas: impl Iterator<Item = u32>);
-}
-
-/// A shape that can tell how much of each pixel it covers, before that is rounded to 8 bits.
-pub trait Areas {
-    /// How far an area may be off, in `2^-24` of a pixel.
-    const ERROR: u32;
-
-    /// A rectangle outside which the shape covers nothing of any pixel.
-    fn touched(&self) -> PixelRect;
-
-    /// Pushes the areas of the pixels inside `clip`, each pixel at most once.
-    fn push_areas(&self, clip: &PixelRect, sink: &mut impl AreaSink);
-}
-
-/// Any [`Cover`] by its rounded coverage.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Rounded<S>(pub S);
-
-impl<S: Cover> Areas for Rounded<S> {
-    /// Half a 255th by rounding, and as much for each of two neighbours whose area was rounded to nothing, which nobody
-    /// tells of.
-    const ERROR: u32 = 3 * WHOLE / 510 + 1;
-
-    #[inline]
-    fn touched(&self) -> PixelRect {
-        self.0.touched()
-    }
-
-    #[inline]
-    fn push_areas(&self, clip: &PixelRect, sink: &mut impl AreaSink) {
-        let Ok(()) = self.0.coverage(clip, &mut FromCoverage(sink));
-    }
-}
-
-struct FromCoverage<'s, S>(&'s mut S);
-
-/// 255 is the whole.
-#[inline(always)]
-fn area_of(coverage: u8) -> u32 {
-    (u32::from(coverage) * WHOLE + 127) / 255
-}
-
-impl<S: AreaSink> CoverageSink for FromCoverage<'_, S> {
-    type Error = Infallible;
-
-    #[inline]
-    fn span(&mut self, span: Span, coverage: u8) -> Result<(), Infallible> {
-        self.0.alike(span, area_of(coverage));
-        Ok(())
-    }
-
-    #[inline]
-    fn run(&mut self, row: i32, column: i32, coverage: &[u8]) -> Result<(), Infallible> {
-        self.0.areas(row, column, coverage.iter().map(|coverage| area_of(*coverage)));
-        Ok(())
-    }
-}
 
 /// What a mosaic keeps of a pixel: 8 bytes and 4 for each channel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -166,18 +98,11 @@ pub struct Tile<S, P> {
     paint: P,
 }
 
-impl<S, P> Tile<Rounded<S>, P> {
-    /// A shape that knows its coverage.
+impl<S: Areas, P> Tile<S, P> {
+    /// A shape that knows its areas: a triangle, a polygon with scratch for coverage, or, within the bounds of
+    /// [`Rounded`](crate::Rounded), any other.
     #[inline]
     pub const fn new(shape: S, paint: P) -> Self {
-        Self { shape: Rounded(shape), paint }
-    }
-}
-
-impl<S: Areas, P> Tile<S, P> {
-    /// A shape that knows its areas.
-    #[inline]
-    pub const fn of_areas(shape: S, paint: P) -> Self {
         Self { shape, paint }
     }
 }
@@ -294,6 +219,9 @@ impl<P: Paint<C>, C: Channels<N>, const N: usize> AreaSink for Adding<'_, '_, P,
     fn areas(&mut self, row: i32, column: i32, areas: impl Iterator<Item = u32>) {
         let cells = self.cells.from(row, column);
         for ((cell, area), colour) in cells.iter_mut().zip(areas).zip(self.paint.row(row, column)) {
+            if area == 0 {
+                continue;
+            }
             // A whole pixel has no error.
             cell.add(area, if area == WHOLE { 0 } else { self.error }, colour.channels());
         }

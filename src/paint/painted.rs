@@ -23,7 +23,7 @@ pub trait Painting: Sized {
     /// The shape in a paint.
     #[inline]
     fn painted<P>(self, paint: P) -> Painted<Self, P> {
-        Painted { shape: self, paint }
+        Painted::new(self, paint)
     }
 }
 
@@ -64,6 +64,13 @@ impl<S: Shape, P> Painted<S, P> {
 }
 
 impl<S, P> Painted<S, P> {
+    /// Any shape in a paint, also one that knows its coverage alone, as a
+    /// [polygon with areas](crate::Polygon::coverage_in) does.
+    #[inline]
+    pub const fn new(shape: S, paint: P) -> Self {
+        Self { shape, paint }
+    }
+
     /// The same with edges blended by how much of each pixel the shape covers.
     #[inline]
     pub fn antialiased<B>(self, blend: B) -> PaintedAntiAliased<S, P, B>

@@ -209,21 +209,3 @@ impl Spread {
         }
     }
 }
-
-/// Places in a line.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Places {
-    pub(super) at: i64,
-    pub(super) step: i64,
-}
-
-impl Iterator for Places {
-    type Item = i64;
-
-    #[inline]
-    fn next(&mut self) -> Option<i64> {
-        let at = self.at;
-        self.at = at.wrapping_add(self.step);
-        Some(at)
-    }
-}

@@ -4,7 +4,7 @@ use core::{cell::Cell, fmt};
 
 use crate::{
     PixelRect, TooManyEdges,
-    area::{CoverageEdge, Inside, send_contours},
+    area::{CoverageEdge, Inside, PlacedAreaSink, send_areas, send_contours},
     contours::Rows,
     coverage::CoverageSink,
     geometry::touched,
@@ -89,7 +89,11 @@ impl<'a> Polygon<'a> {
         edges: &mut [CoverageEdge],
         sink: &mut S,
     ) -> Result<(), S::Error> {
-        send_contours(self.contours, Inside { mask: self.fill_rule.mask() }, clip, edges, sink)
+        send_contours(self.contours, self.inside(), clip, edges, sink)
+    }
+
+    fn inside(&self) -> Inside {
+        Inside { mask: self.fill_rule.mask() }
     }
 }
 
@@ -113,6 +117,15 @@ impl fmt::Debug for PolygonCoverageIn<'_, '_> {
     }
 }
 
+impl PolygonCoverageIn<'_, '_> {
+    /// As its coverage, before it is rounded.
+    pub(crate) fn areas(&self, clip: &PixelRect, sink: &mut dyn PlacedAreaSink) {
+        let edges = self.edges.take();
+        send_areas(self.polygon.contours, self.polygon.inside(), clip, edges, sink);
+        self.edges.set(edges);
+    }
+}
+
 impl Cover for PolygonCoverageIn<'_, '_> {
     fn touched(&self) -> PixelRect {
         self.polygon.touched()
@@ -130,6 +143,14 @@ impl Cover for PolygonCoverageIn<'_, '_> {
 #[derive(Debug, Clone, Copy)]
 pub struct PolygonCoverageWith<'a, const EDGES: usize> {
     polygon: Polygon<'a>,
+}
+
+impl<const EDGES: usize> PolygonCoverageWith<'_, EDGES> {
+    /// As its coverage, before it is rounded.
+    pub(crate) fn areas(&self, clip: &PixelRect, sink: &mut dyn PlacedAreaSink) {
+        let mut edges = [CoverageEdge::EMPTY; EDGES];
+        send_areas(self.polygon.contours, self.polygon.inside(), clip, &mut edges, sink);
+    }
 }
 
 impl<const EDGES: usize> Cover for PolygonCoverageWith<'_, EDGES> {
