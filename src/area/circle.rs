@@ -21,27 +21,26 @@ use core::ops::Range;
 
 use crate::{
     area::{
-        AreaSink, Rounded,
+        AreaSink, PlacedAreaSink,
         accumulator::{Accumulator, Steepness},
         convex::ConvexRows,
         source::{FINE_BITS, FINE_ONE},
     },
-    coverage::CoverageSink,
     limits::SUBPIXEL_BITS,
 };
 
 /// From 1/256 pixel to 2^-16.
 const FINER: u32 = FINE_BITS - SUBPIXEL_BITS;
 
-/// Sends how much of each pixel of some rows and columns a circle covers; `center` and `radius` are in 1/256 pixel, the radius
+/// Sends the areas of a circle in some rows and columns; `center` and `radius` are in 1/256 pixel, the radius
 /// positive.
-pub(crate) fn send_circle<S: CoverageSink>(
+pub(crate) fn send_circle(
     center: (i32, i32),
     radius: i32,
     rows: &Range<i32>,
     columns: &Range<i32>,
-    sink: &mut S,
-) -> Result<(), S::Error> {
+    sink: &mut dyn PlacedAreaSink,
+) {
     let relative = |at: i32, corner: i32| (i64::from(at) << FINER) - (i64::from(corner) << FINE_BITS);
     let circle = Circle {
         x: relative(center.0, columns.start),
@@ -50,9 +49,8 @@ pub(crate) fn send_circle<S: CoverageSink>(
         longest: longest_chord(radius.unsigned_abs()),
         width: columns.end - columns.start,
     };
-    let mut rounded = Rounded::new(sink, (columns.start, rows.start));
-    circle.send(rows.end - rows.start, &mut rounded);
-    rounded.result
+    sink.place((columns.start, rows.start));
+    circle.send(rows.end - rows.start, sink);
 }
 
 /// In 2^-16 pixel: the cube root of 0.0186 radii, at most a quarter of the radius and two pixels.

@@ -24,7 +24,7 @@ pub(crate) fn send_contours<S: CoverageSink>(
     slots: &mut [CoverageEdge],
     sink: &mut S,
 ) -> Result<(), S::Error> {
-    let mut rounded = Rounded::new(sink, (0, 0));
+    let mut rounded = Rounded::new(sink);
     send_areas(contours, inside, clip, slots, &mut rounded);
     rounded.result
 }

@@ -12,7 +12,7 @@ use core::ops::Range;
 
 use crate::{
     area::{
-        AreaSink, Rounded,
+        AreaSink, PlacedAreaSink,
         accumulator::{Accumulator, WINDOW_COLUMNS},
         chain::CoverageEdge,
         emission::Emission,
@@ -22,20 +22,18 @@ use crate::{
         tiles::{REACH, for_each_tile},
     },
     contours::next_index,
-    coverage::CoverageSink,
 };
 
-/// Sends how much of each pixel of some rows and columns a convex outline covers.
+/// Sends the areas of a convex outline in some rows and columns.
 ///
 /// Its `N` vertices are in 2^-16 pixel and clockwise as seen on the screen, the first of them a topmost one.
-pub(crate) fn send_convex<S: CoverageSink, const N: usize>(
+pub(crate) fn send_convex<const N: usize>(
     vertices: &[(i64, i64); N],
     rows: &Range<i32>,
     columns: &Range<i32>,
-    sink: &mut S,
-) -> Result<(), S::Error> {
+    sink: &mut dyn PlacedAreaSink,
+) {
     let corner = (columns.start, rows.start);
-    let mut rounded = Rounded::new(sink, corner);
     let size = (columns.end - columns.start, rows.end - rows.start);
     let mut points = [Point { x: 0, y: 0 }; N];
     let mut is_near = true;
@@ -48,15 +46,15 @@ pub(crate) fn send_convex<S: CoverageSink, const N: usize>(
         *point = near;
     }
     if is_near {
-        fill_convex(Source::Outline(&Ring(points)), size, &mut rounded);
-    } else {
-        for_each_tile(rows, columns, |tile, corner, size| {
-            rounded.corner = corner;
-            let far = Far { vertices: Vertices::Ring(vertices), tile, corner };
-            fill_convex(Source::Outline(&far), size, &mut rounded)
-        });
+        sink.place(corner);
+        fill_convex(Source::Outline(&Ring(points)), size, sink);
+        return;
     }
-    rounded.result
+    for_each_tile(rows, columns, |tile, corner, size| {
+        sink.place(corner);
+        let far = Far { vertices: Vertices::Ring(vertices), tile, corner };
+        fill_convex(Source::Outline(&far), size, sink)
+    });
 }
 
 /// A contour that is near.

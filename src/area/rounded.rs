@@ -10,17 +10,17 @@ use crate::{
 
 /// Sends areas to a [`CoverageSink`], from a corner on, and keeps its error.
 pub(crate) struct Rounded<'s, S: CoverageSink> {
-    pub(crate) sink: &'s mut S,
+    sink: &'s mut S,
     /// Column and row that are the first.
-    pub(crate) corner: (i32, i32),
+    corner: (i32, i32),
     pub(crate) result: Result<(), S::Error>,
     /// Of a run on its way.
     coverage: [u8; WINDOW],
 }
 
 impl<'s, S: CoverageSink> Rounded<'s, S> {
-    pub(crate) const fn new(sink: &'s mut S, corner: (i32, i32)) -> Self {
-        Self { sink, corner, result: Ok(()), coverage: [0; WINDOW] }
+    pub(crate) const fn new(sink: &'s mut S) -> Self {
+        Self { sink, corner: (0, 0), result: Ok(()), coverage: [0; WINDOW] }
     }
 }
 

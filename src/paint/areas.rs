@@ -6,7 +6,7 @@ use crate::{
     PixelRect,
     area::{self, PlacedAreaSink},
     coverage::CoverageSink,
-    shape::{Circle, Cover, Line, Polygon, PolygonCoverageIn, PolygonCoverageWith, Triangle},
+    shape::{Circle, Cover, Line, PolygonCoverageIn, PolygonCoverageWith, Triangle},
     span::Span,
 };
 
@@ -103,11 +103,33 @@ impl Areas for Triangle {
         Cover::touched(self)
     }
 
-    /// By the areas of polygons: edges that are shared with one are the same to the bit.
     fn push_areas(&self, clip: &PixelRect, sink: &mut impl AreaSink) {
-        if let Ok(polygon) = Polygon::new(&self.vertices).coverage_with::<3>() {
-            polygon.push_areas(clip, sink);
-        }
+        self.areas(clip, &mut FromAreas { sink, corner: (0, 0) });
+    }
+}
+
+impl Areas for Line {
+    const ERROR: u32 = EXACT;
+
+    fn touched(&self) -> PixelRect {
+        Cover::touched(self)
+    }
+
+    fn push_areas(&self, clip: &PixelRect, sink: &mut impl AreaSink) {
+        self.areas(clip, &mut FromAreas { sink, corner: (0, 0) });
+    }
+}
+
+impl Areas for Circle {
+    /// 0.1 of a 255th.
+    const ERROR: u32 = WHOLE / (255 * 10);
+
+    fn touched(&self) -> PixelRect {
+        Cover::touched(self)
+    }
+
+    fn push_areas(&self, clip: &PixelRect, sink: &mut impl AreaSink) {
+        self.areas(clip, &mut FromAreas { sink, corner: (0, 0) });
     }
 }
 
@@ -131,27 +153,6 @@ impl<S: Cover> Areas for Rounded<S> {
         let Ok(()) = self.0.coverage(clip, &mut FromCoverage(sink));
     }
 }
-
-macro_rules! by_coverage {
-    ($($shape:ty),+) => {
-        $(
-            /// By its coverage, see [`Rounded`].
-            impl Areas for $shape {
-                const ERROR: u32 = Rounded::<Self>::ERROR;
-
-                fn touched(&self) -> PixelRect {
-                    Cover::touched(self)
-                }
-
-                fn push_areas(&self, clip: &PixelRect, sink: &mut impl AreaSink) {
-                    Rounded(*self).push_areas(clip, sink);
-                }
-            }
-        )+
-    };
-}
-
-by_coverage!(Circle, Line);
 
 struct FromCoverage<'s, S>(&'s mut S);
 

@@ -2,7 +2,7 @@
 
 use crate::{
     PixelRect,
-    area::send_circle,
+    area::{PlacedAreaSink, Rounded, send_circle},
     coverage::CoverageSink,
     geometry::pixels_between,
     shape::{Circle, Cover},
@@ -21,13 +21,22 @@ impl Cover for Circle {
     }
 
     fn coverage<S: CoverageSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
-        let pixels = self.touched();
+        let mut rounded = Rounded::new(sink);
+        self.areas(clip, &mut rounded);
+        rounded.result
+    }
+}
+
+impl Circle {
+    /// Sends the areas of the pixels in `clip`, before anything is rounded.
+    pub(crate) fn areas(&self, clip: &PixelRect, sink: &mut dyn PlacedAreaSink) {
+        let pixels = Cover::touched(self);
         let rows = clip_range(&pixels.rows, &clip.rows);
         let columns = clip_range(&pixels.columns, &clip.columns);
         if rows.is_empty() || columns.is_empty() {
-            return Ok(());
+            return;
         }
         let center = (self.center.x.to_bits(), self.center.y.to_bits());
-        send_circle(center, self.radius.to_bits(), &rows, &columns, sink)
+        send_circle(center, self.radius.to_bits(), &rows, &columns, sink);
     }
 }

@@ -15,7 +15,7 @@
 
 use crate::{
     PixelRect, Vertex,
-    area::{send_convex, vertex_position},
+    area::{PlacedAreaSink, Rounded, send_convex, vertex_position},
     coverage::CoverageSink,
     geometry::{by_height, pixels_between},
     limits::HALF,
@@ -43,14 +43,23 @@ impl Cover for Line {
     }
 
     fn coverage<S: CoverageSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
-        let pixels = self.touched();
+        let mut rounded = Rounded::new(sink);
+        self.areas(clip, &mut rounded);
+        rounded.result
+    }
+}
+
+impl Line {
+    /// Sends the areas of the pixels in `clip`, before anything is rounded.
+    pub(crate) fn areas(&self, clip: &PixelRect, sink: &mut dyn PlacedAreaSink) {
+        let pixels = Cover::touched(self);
         let rows = clip_range(&pixels.rows, &clip.rows);
         let columns = clip_range(&pixels.columns, &clip.columns);
         if rows.is_empty() || columns.is_empty() {
-            return Ok(());
+            return;
         }
         let (upper, lower) = by_height(self.start, self.end);
-        send_convex(&corners(upper, lower), &rows, &columns, sink)
+        send_convex(&corners(upper, lower), &rows, &columns, sink);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::{
     PixelRect, Vertex,
-    area::{send_convex, vertex_position},
+    area::{PlacedAreaSink, Rounded, send_convex, vertex_position},
     coverage::CoverageSink,
     geometry::{by_height, touched},
     shape::{Cover, Triangle},
@@ -16,17 +16,26 @@ impl Cover for Triangle {
     }
 
     fn coverage<S: CoverageSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
-        let pixels = self.touched();
+        let mut rounded = Rounded::new(sink);
+        self.areas(clip, &mut rounded);
+        rounded.result
+    }
+}
+
+impl Triangle {
+    /// Sends the areas of the pixels in `clip`, before anything is rounded.
+    pub(crate) fn areas(&self, clip: &PixelRect, sink: &mut dyn PlacedAreaSink) {
+        let pixels = Cover::touched(self);
         let rows = clip_range(&pixels.rows, &clip.rows);
         let columns = clip_range(&pixels.columns, &clip.columns);
         if rows.is_empty() || columns.is_empty() {
-            return Ok(());
+            return;
         }
         let [a, b, c] = self.vertices;
         let (a, b) = by_height(a, b);
         let (a, c) = by_height(a, c);
         let clockwise = if is_right_of(a, c, b) { [a, b, c] } else { [a, c, b] };
-        send_convex(&clockwise.map(vertex_position), &rows, &columns, sink)
+        send_convex(&clockwise.map(vertex_position), &rows, &columns, sink);
     }
 }
 
