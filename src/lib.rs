@@ -188,7 +188,8 @@ pub use framebuffer::{
 };
 pub use geometry::{PixelRect, Vertex};
 pub use outline::{
-    Curve, CurvePoints, CurveSink, Curves, FinePoint, FineRect, Flattened, Outline, OutlineCount, OutlineSink,
+    Curve, CurvePoints, Curves, FinePoint, FineRect, Flattened, Outline, OutlineCount, OutlineSink, Step, Vertices,
+    WindingRule,
 };
 pub use paint::{
     AreaSink, Areas, BadStops, Cells as MosaicCells, ConicalGradient, EmptyPattern, GouraudPaint, Hatch,
@@ -199,15 +200,18 @@ pub use path::{ArcTo, Element, Path, PathError, SvgElements, Transform};
 pub use primitive::{Arc, ArcLine, CircleOutline, Ellipse, Rectangle, Ring, RoundedRectangle, Sector, TaperedLine};
 pub use seed_fill::{Connectivity, FillRegion, FillSegment, SeedFill, SeedFillError};
 pub use shape::{
-    ActiveEdge, ActiveEdges, Circle, Cover, FillRule, Line, Polygon, PolygonCoverageIn, PolygonCoverageWith,
-    PolygonEdges, PolygonInScratch, PolygonWithCapacity, SampleEdge, Shape, SupersampledIn, Triangle,
+    ActiveEdge, ActiveEdges, Circle, Cover, CoverOutline, FillRule, Line, OutlineCoverageIn, OutlineCoverageWith,
+    Polygon, PolygonCoverageIn, PolygonCoverageWith, PolygonEdges, PolygonInScratch, PolygonWithCapacity, SampleEdge,
+    Shape, SupersampledIn, Triangle,
 };
 pub use span::{BlockSink, Span, SpanSink};
-pub use stroke::{Cap, Join, Stroke, StrokeStyle};
+pub use stroke::{Align, Cap, Join, Stroke, StrokeStyle};
 pub use target::{Canvas, PixelRows, View};
 pub use turn::Turn;
 
 /// The traits that a program which draws needs in scope.
 pub mod prelude {
-    pub use crate::{AntiAlias as _, Attributes as _, Cover as _, Fill as _, Painting as _, Shape as _};
+    pub use crate::{
+        AntiAlias as _, Attributes as _, Cover as _, CoverOutline as _, Fill as _, Painting as _, Shape as _,
+    };
 }

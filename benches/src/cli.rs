@@ -72,6 +72,8 @@ pub(crate) struct Measure {
 pub(crate) enum Command {
     /// Time whole pictures of real drawings, and how that grows with the vertices: half a minute
     Drawings(GalleryArgs),
+    /// Time the bundled map with its strokes, and strokes of many samples, against resvg
+    Strokes,
     /// Draw with one variant and nothing else, for a profiler
     Profile {
         /// A scene (triangle-10, circle-5, ...) or a drawing (coast, text/4, ...)

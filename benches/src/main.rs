@@ -19,6 +19,7 @@ mod readme;
 mod row;
 #[path = "../scenes/mod.rs"]
 mod scenes;
+mod strokes;
 mod table;
 mod timing;
 mod variant;
@@ -49,6 +50,7 @@ fn main() -> ExitCode {
     let result = match &cli.command {
         None => measure(&cli.measure),
         Some(Command::Drawings(args)) => gallery::measure(args),
+        Some(Command::Strokes) => strokes::measure(),
         Some(Command::Profile { name, variant, shapes }) => profile(name, *variant, *shapes),
         Some(Command::Chart(redraw)) => redraw_as(redraw, chart::svg),
         Some(Command::ChartAa(redraw)) => redraw_as(redraw, accuracy_chart::svg),

@@ -38,12 +38,20 @@ pub(crate) trait AreaSink {
 pub(crate) struct Inside {
     /// Of the winding: any bit of it, or the lowest.
     pub(crate) mask: i32,
+    /// Bits that count as their opposites.
+    pub(crate) flip: i32,
+    /// Only what is above.
+    pub(crate) least: i32,
 }
 
 impl Inside {
+    pub(crate) const fn with_mask(mask: i32) -> Self {
+        Self { mask, flip: 0, least: i32::MIN }
+    }
+
     #[inline]
     pub(super) fn of(self, winding: i32) -> i32 {
-        i32::from(winding & self.mask != 0)
+        i32::from((winding ^ self.flip) & self.mask != 0 && winding > self.least)
     }
 
     /// The weight of what changes a winding.

@@ -156,6 +156,16 @@ impl Vector {
         Self { x: self.x * factor, y: self.y * factor }
     }
 
+    #[inline]
+    pub(crate) const fn over(self, divisor: i64) -> Self {
+        Self { x: self.x / divisor, y: self.y / divisor }
+    }
+
+    #[inline]
+    pub(crate) const fn dot(self, other: Self) -> i128 {
+        self.x as i128 * other.x as i128 + self.y as i128 * other.y as i128
+    }
+
     /// A quarter of a turn clockwise.
     #[inline]
     pub(crate) const fn turned(self) -> Self {

@@ -4,8 +4,8 @@ use core::ops::Range;
 
 use crate::{
     BlockSink, Line, PixelRect, Vertex,
-    outline::{CurveSink, Curves, FinePoint, Vector, clamp_fine},
-    primitive::rows::{send_rows, shape_by_rows},
+    outline::{Curves, FinePoint, Step, Vector, clamp_fine},
+    primitive::rows::{polygon_step, send_rows, shape_by_rows},
     shape::Shape as _,
     span::RowSink,
 };
@@ -138,12 +138,11 @@ impl BlockSink for Around {
 shape_by_rows!(TaperedLine);
 
 impl Curves for TaperedLine {
-    fn trace<S: CurveSink>(&self, sink: &mut S) {
-        let [a, b, c, d] = self.fine_corners();
-        sink.start(a);
-        sink.line(b);
-        sink.line(c);
-        sink.line(d);
-        sink.end(true);
+    fn steps(&self) -> u32 {
+        5
+    }
+
+    fn step(&self, index: u32) -> Step {
+        polygon_step(&self.fine_corners(), index)
     }
 }

@@ -66,7 +66,7 @@ impl<'a> Polygon<'a> {
         edges: &mut [CoverageEdge],
         sink: &mut S,
     ) -> Result<(), S::Error> {
-        send_contours(self.contours, Inside { mask: self.fill_rule.mask() }, clip, edges, sink)
+        send_contours(self.contours, Inside::with_mask(self.fill_rule.mask()), clip, edges, sink)
     }
 }
 
