@@ -2,6 +2,7 @@
 
 mod antialiased;
 mod blended;
+mod connect;
 mod filled;
 
 pub use antialiased::{AntiAlias, AntiAliased};

@@ -5,7 +5,9 @@
 
 use crate::{
     contours::FillRule,
-    outline::{Curves, FinePoint, FineRect, INDEX_BITS, Kept, Outline, Step, Vertices, WindingRule, hull},
+    outline::{
+        Curves, FinePoint, FineRect, INDEX_BITS, KEPT_VERTICES, Kept, Outline, Step, Vertices, WindingRule, hull,
+    },
 };
 
 /// The inside of a path: every subpath a contour, closed or not.
@@ -61,12 +63,14 @@ struct Chords<'c> {
     curves: &'c dyn Curves,
     chord_bits: u32,
     kept: Kept<Step, 4>,
+    vertices: Kept<FinePoint, KEPT_VERTICES>,
 }
 
 impl<'c> Chords<'c> {
     fn new(curves: &'c dyn Curves) -> Self {
         let chord_bits = u32::BITS - most_chords(curves).saturating_sub(1).leading_zeros();
-        Self { curves, chord_bits, kept: Kept::new() }
+        let nothing = Step::Move(FinePoint::default());
+        Self { curves, chord_bits, kept: Kept::new(nothing), vertices: Kept::new(FinePoint::default()) }
     }
 
     #[inline]
@@ -137,7 +141,10 @@ impl Vertices for Chords<'_> {
     fn vertex(&self, contour: u32, index: u32) -> FinePoint {
         let (step, chord) = (index >> self.chord_bits, index & ((1 << self.chord_bits) - 1));
         match self.step(contour + step) {
-            Some(Step::Curve(curve)) if step > 0 => curve.point(chord + 1),
+            Some(Step::Curve(curve)) if step > 0 => {
+                let number = u64::from(contour) << 32 | u64::from(index);
+                self.vertices.get(number, || curve.point(chord + 1))
+            }
             Some(step) => step.end(),
             None => FinePoint::default(),
         }

@@ -22,10 +22,10 @@ mod kept;
 pub(crate) use chains::{RowCounts, most_chains};
 pub use curve::{Curve, CurvePoints};
 pub use fine::{FinePoint, FineRect};
-pub(crate) use fine::{Vector, clamp_fine, divide_half_even, shift_half_even};
+pub(crate) use fine::{Vector, clamp_fine, divide_half_even, shift_half_even, shift_half_even_wide};
 pub use flatten::Flattened;
 pub(crate) use flatten::most_chords;
-pub(crate) use kept::Kept;
+pub(crate) use kept::{KEPT_VERTICES, Kept};
 
 /// Closed contours of points with 12 fraction bits (1/4096 pixel), made on the fly, as often as asked.
 ///

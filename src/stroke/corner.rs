@@ -3,7 +3,7 @@
 //! `n` is the normal, the direction turned clockwise; a side lies on `+n` as it is gone along:
 //!
 //! ```text
-//!     -------- direction ----> b                 outer: +n, the join, +n'
+//!     -------- direction ----> b                 outer: +n, the join, +n'; of a miter the tip alone
 //!                              |                 inner: where both sides cross; +n, b, +n' where a chord is too
 //!     ------------------------ b+n                      short for that
 //! ```
@@ -55,7 +55,20 @@ pub(super) enum Kind {
     Bend,
 }
 
+/// The points of a fan that are worked out together are so many at most.
+const MOST_TOGETHER: u32 = 5;
+
 impl Corner {
+    pub(super) const NOTHING: Self = Self {
+        at: FinePoint::from_bits(0, 0),
+        radius: 0,
+        from: Unit::RIGHT,
+        to: Unit::RIGHT,
+        has_from: false,
+        between: Between::Nothing,
+        count: 0,
+    };
+
     /// `shorter` is the square of the length of the shorter of both chords.
     pub(super) fn new(
         at: FinePoint,
@@ -91,11 +104,23 @@ impl Corner {
                 }
             }
             Kind::Join(Join::Bevel) => Between::Nothing,
-            Kind::Join(Join::Miter { limit }) => {
-                let tip = tip(at, radius, from, to).filter(|_| is_within(from, to, limit));
-                tip.map_or(Between::Nothing, Between::Tip)
-            }
-            Kind::Join(Join::Round) | Kind::Bend => fan(),
+            Kind::Join(Join::Miter { limit }) => match tip(at, radius, from, to) {
+                // Both sides lead there.
+                Some(tip) if is_within(from, to, limit) => {
+                    if has_from {
+                        Between::Crossing(tip)
+                    } else {
+                        Between::Tip(tip)
+                    }
+                }
+                _ => Between::Nothing,
+            },
+            Kind::Join(Join::Round) | Kind::Bend => match (fan(), tip(at, radius, from, to)) {
+                // Of an arc that is as good as straight, the tip of r^2 phi^3 / 24 is too much, the chord of r^2 phi^3 / 12
+                // too little.
+                (Between::Nothing, Some(tip)) if has_from => Between::Crossing(tip),
+                (fan, _) => fan,
+            },
         };
         let middle = match between {
             Between::Nothing | Between::Crossing(_) => 0,
@@ -106,6 +131,18 @@ impl Corner {
         let has_to = !is_same && !matches!(between, Between::Crossing(_));
         let count = u32::from(has_from) + middle + u32::from(has_to);
         Self { at, radius, from, to, has_from, between, count }
+    }
+
+    /// The vertices that are of an arc, each with its number, where they are not too many.
+    pub(super) fn fan(&self, found: &mut dyn FnMut(u32, FinePoint)) {
+        let Self { at, from, to, has_from, between, .. } = *self;
+        if let Between::Fan { halvings, reach } = between
+            && halvings <= MOST_TOGETHER
+        {
+            let first = u32::from(has_from);
+            let fan = Fan { center: at, reach, from, to, halvings };
+            fan.points(&mut |index, point| found(first + index - 1, point));
+        }
     }
 
     /// One of its vertices.
@@ -149,9 +186,11 @@ fn tip(at: FinePoint, radius: i64, from: Unit, to: Unit) -> Option<FinePoint> {
     if square == 0 {
         return None;
     }
+    // Of a radius of 2^29 at most. The sum is no longer than the root of its square.
+    const BITS: u32 = 62;
+    let scale = (i128::from(2 * radius) << (UNIT_BITS + BITS)) / i128::from(square);
     let part = |part: i64| {
-        let product = (i128::from(part) * i128::from(2 * radius)) << UNIT_BITS;
-        let tip = crate::outline::divide_half_even(product, square.into());
+        let tip = crate::outline::shift_half_even_wide(i128::from(part) * scale, BITS);
         i64::try_from(tip).unwrap_or(if tip < 0 { i64::MIN / 4 } else { i64::MAX / 4 })
     };
     Some(Vector::new(part(sum.x), part(sum.y)).from(at))

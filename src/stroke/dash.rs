@@ -177,11 +177,10 @@ impl<'d> Dashes<'d> {
 
     /// A step of a dash, numbered from 1.
     pub(super) fn piece(&self, number: u32, step: u32) -> Piece {
-        let nothing = Piece { is_over: true, is_last: true, run: None };
-        let Some(Dash { from, to }) = self.dash(number) else { return nothing };
+        let Some(Dash { from, to }) = self.dash(number) else { return Piece::NOTHING };
         let index = (from.step + step).wrapping_sub(1);
         if index < from.step || index > to.step {
-            return nothing;
+            return Piece::NOTHING;
         }
         let run = self.run(index).map(|mut run| {
             if index == from.step {

@@ -5,8 +5,18 @@ use crate::{
     stroke::normal::{UNIT, UNIT_BITS, Unit},
 };
 
-/// How far a chord may be from the arc, in 1/4096 pixel.
-const TOLERANCE: i64 = 4;
+/// How far a chord may be from the arc, in 1/4096 pixel: `s`. What a pixel cuts out of chords of a length `l` adds up to
+/// `0.13 s l` for each (see `outline::Curve`), and `l` is `sqrt(8 r s)`: small arcs may have fewer.
+const fn tolerance(radius: i64) -> i64 {
+    const PIXEL: i64 = 4096;
+    if radius < PIXEL {
+        12
+    } else if radius < 3 * PIXEL {
+        8
+    } else {
+        4
+    }
+}
 
 /// An arc is halved so often at most: 2048 chords are enough for half a turn at a radius of 60,000 pixels.
 pub(super) const MOST_HALVINGS: u32 = 11;
@@ -20,7 +30,7 @@ pub(super) fn halved(radius: i64, from: Unit, to: Unit, most: u32) -> (u32, i64)
     // Parts of at most 2^31.
     let mut square = (between.x * between.x).saturating_add(between.y * between.y) >> UNIT_BITS;
     let mut halvings = 0;
-    while (radius * square) >> (UNIT_BITS + 3) >= TOLERANCE && halvings < most {
+    while (radius * square) >> (UNIT_BITS + 3) >= tolerance(radius) && halvings < most {
         let cosine_square = (UNIT - square / 4).max(0);
         let cosine = (cosine_square << UNIT_BITS).cast_unsigned().isqrt().cast_signed();
         square = (square << UNIT_BITS) / (2 * (UNIT + cosine)).max(1);
@@ -45,6 +55,22 @@ pub(super) struct Fan {
 }
 
 impl Fan {
+    /// All of its points, with their numbers.
+    pub(super) fn points(&self, found: &mut dyn FnMut(u32, FinePoint)) {
+        self.halve(self.from, self.to, 0, 1 << self.halvings.min(MOST_HALVINGS), found);
+    }
+
+    fn halve(&self, from: Unit, to: Unit, first: u32, last: u32, found: &mut dyn FnMut(u32, FinePoint)) {
+        if last - first < 2 {
+            return;
+        }
+        let Some(middle) = between(from, to) else { return };
+        let half = first.midpoint(last);
+        found(half, middle.from(self.center, self.reach));
+        self.halve(from, middle, first, half, found);
+        self.halve(middle, to, half, last, found);
+    }
+
     /// One of its points, from 1 to `2^halvings - 1`.
     pub(super) fn point(&self, index: u32) -> FinePoint {
         let (mut from, mut to) = (self.from, self.to);

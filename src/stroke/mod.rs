@@ -22,7 +22,7 @@ mod walk;
 
 pub use style::{Align, Cap, Join, StrokeStyle};
 
-use crate::outline::{Curves, FineRect, Outline, OutlineSink, Vertices, WindingRule, hull};
+use crate::outline::{Curves, FinePoint, FineRect, Outline, OutlineSink, Vertices, WindingRule, hull};
 
 /// The stroke of a path or shape: an [`Outline`], to be filled by the non-zero rule.
 ///
@@ -70,6 +70,13 @@ impl<'d, C> Stroke<'d, C> {
     #[inline]
     pub(crate) const fn style(&self) -> &StrokeStyle<'d> {
         &self.style
+    }
+}
+
+impl<C: Curves> Stroke<'_, C> {
+    /// The chords of its middle line, of each dash by itself.
+    pub(crate) fn each_chord(&self, found: &mut dyn FnMut(FinePoint, FinePoint)) {
+        walk::Walk::new(&self.curves, &self.style.align(Align::Center), true).each_chord(found);
     }
 }
 

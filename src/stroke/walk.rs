@@ -13,7 +13,7 @@
 //! ```
 
 use crate::{
-    outline::{Curves, FinePoint, INDEX_BITS, Kept, Step, Vertices},
+    outline::{Curves, FinePoint, INDEX_BITS, KEPT_VERTICES, Kept, Step, Vertices},
     stroke::{
         Align, Cap, Join, StrokeStyle,
         corner::{Corner, Kind},
@@ -35,8 +35,10 @@ pub(super) struct Walk<'a> {
     corner_bits: u32,
     vertex_bits: u32,
     most_halvings: u32,
-    pieces: Kept<Piece, 4>,
-    corners: Kept<Corner, 8>,
+    pieces: Kept<Piece, PIECES>,
+    corners: Kept<Corner, CORNERS>,
+    /// With the index of the next.
+    vertices: Kept<(FinePoint, u32), KEPT_VERTICES>,
 }
 
 /// A vertex of a contour.
@@ -49,6 +51,9 @@ struct Place {
     vertex: u32,
 }
 
+const PIECES: usize = if cfg!(target_pointer_width = "64") { 16 } else { 4 };
+const CORNERS: usize = if cfg!(target_pointer_width = "64") { 64 } else { 8 };
+
 /// A step of the path, or of a dash.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Piece {
@@ -57,6 +62,10 @@ pub(super) struct Piece {
     pub(super) is_last: bool,
     /// None where it has no length.
     pub(super) run: Option<Run>,
+}
+
+impl Piece {
+    pub(super) const NOTHING: Self = Self { is_over: true, is_last: true, run: None };
 }
 
 /// What a contour is of.
@@ -72,6 +81,11 @@ enum Contour {
 
 /// Contours of a subpath that are numbered one after the other.
 const PARTS: u32 = 3;
+
+/// The number of a vertex in its corner.
+const fn place_vertex(index: u32, vertex_bits: u32) -> u32 {
+    index & ((1 << vertex_bits) - 1)
+}
 
 impl<'a> Walk<'a> {
     pub(super) fn new(curves: &'a dyn Curves, style: &StrokeStyle<'a>, is_clockwise: bool) -> Self {
@@ -102,8 +116,9 @@ impl<'a> Walk<'a> {
             corner_bits,
             vertex_bits,
             most_halvings,
-            pieces: Kept::new(),
-            corners: Kept::new(),
+            pieces: Kept::new(Piece::NOTHING),
+            corners: Kept::new(Corner::NOTHING),
+            vertices: Kept::new((FinePoint::default(), 0)),
         }
     }
 
@@ -188,6 +203,30 @@ impl<'a> Walk<'a> {
             run = next;
         }
         run
+    }
+
+    /// The chords of what is stroked.
+    pub(super) fn each_chord(&self, found: &mut dyn FnMut(FinePoint, FinePoint)) {
+        for contour in 0..self.contours() {
+            match self.contour(contour) {
+                Some(Contour::Open | Contour::Side { is_back: false }) => {}
+                Some(Contour::Dot) => {
+                    let (at, _) = self.dot(contour);
+                    found(at, at);
+                    continue;
+                }
+                _ => continue,
+            }
+            let mut next = self.neighbour(contour, 0, false);
+            while let Some(number) = next {
+                if let Some(run) = self.run(contour, number) {
+                    for chord in 0..run.chords() {
+                        found(run.point(chord, false), run.point(chord + 1, false));
+                    }
+                }
+                next = self.neighbour(contour, number, false);
+            }
+        }
     }
 
     /// What a contour is of, if it is there.
@@ -290,6 +329,36 @@ impl<'a> Walk<'a> {
         }
     }
 
+    /// A vertex, and the index of the next.
+    #[inline]
+    fn known(&self, contour: u32, index: u32) -> (FinePoint, u32) {
+        let number = u64::from(contour) << 32 | u64::from(index);
+        self.vertices.find(number).unwrap_or_else(|| self.find_out(contour, index, number))
+    }
+
+    /// All vertices of a corner, if they are not too many.
+    #[inline(never)]
+    fn find_out(&self, contour: u32, index: u32, number: u64) -> (FinePoint, u32) {
+        let mut place = self.place(index);
+        let corner = self.corner(contour, place);
+        let mut next = index + 1;
+        if place.vertex + 1 == corner.count {
+            place = self.beside(contour, place, true);
+            while self.corner(contour, place).count == 0 {
+                place = self.beside(contour, place, true);
+            }
+            next = self.index(place);
+        }
+        let known = (corner.vertex(place_vertex(index, self.vertex_bits)), next);
+        self.vertices.keep(number, known);
+        let first = index - place_vertex(index, self.vertex_bits);
+        corner.fan(&mut |vertex, point| {
+            let index = first + vertex;
+            self.vertices.keep(u64::from(contour) << 32 | u64::from(index), (point, index + 1));
+        });
+        known
+    }
+
     /// The corner that follows along the contour, or comes before.
     fn beside(&self, contour: u32, mut place: Place, is_forward: bool) -> Place {
         place.vertex = 0;
@@ -343,24 +412,23 @@ impl Vertices for Walk<'_> {
     fn next(&self, contour: u32, index: u32, is_forward: bool) -> u32 {
         let mut place = self.place(index);
         if is_forward {
-            if place.vertex + 1 < self.corner(contour, place).count {
-                return index + 1;
-            }
-        } else if place.vertex > 0 {
+            return self.known(contour, index).1;
+        }
+        if place.vertex > 0 {
             return index - 1;
         }
         loop {
-            place = self.beside(contour, place, is_forward);
+            place = self.beside(contour, place, false);
             let count = self.corner(contour, place).count;
             if count > 0 {
-                place.vertex = if is_forward { 0 } else { count - 1 };
+                place.vertex = count - 1;
                 return self.index(place);
             }
         }
     }
 
+    #[inline]
     fn vertex(&self, contour: u32, index: u32) -> FinePoint {
-        let place = self.place(index);
-        self.corner(contour, place).vertex(place.vertex)
+        self.known(contour, index).0
     }
 }
