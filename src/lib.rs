@@ -188,8 +188,8 @@ pub use framebuffer::{
 };
 pub use geometry::{PixelRect, Vertex};
 pub use outline::{
-    Curve, CurvePoints, Curves, FinePoint, FineRect, Flattened, Outline, OutlineCount, OutlineSink, Step, Vertices,
-    WindingRule,
+    Curve, CurvePoints, Curves, FinePoint, FineRect, Flattened, Outline, OutlineCount, OutlineSink, Step, StrokeReach,
+    Vertices, WindingRule,
 };
 pub use paint::{
     AreaSink, Areas, BadStops, Cells as MosaicCells, ConicalGradient, EmptyPattern, GouraudPaint, Hatch,

@@ -322,6 +322,9 @@ fn constants_have_room_for_every_row() {
                             let stroke = Stroke::new(path, style);
                             let (found, room) = (stroke.chains(), stroke.coverage_edges());
                             assert!(found <= room, "{data} {turn} {width} {cap:?} {join:?}: {found} {room}");
+                            let dashed = Stroke::new(path, style.dashes(&[700, 300, 0, 900]));
+                            let (found, room) = (dashed.chains(), dashed.coverage_edges());
+                            assert!(found <= room, "{data} {turn} {width} {cap:?}, dashed: {found} {room}");
                         }
                     }
                 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
-use crate::{row::scene_from, scenes::Scene, variant::Variant};
+use crate::{row::scene_from, scenes::Scene, suite::SuiteArgs, variant::Variant};
 
 /// What spanfill costs, side by side with other libraries and the bare filling of the same pixels.
 ///
@@ -74,6 +74,8 @@ pub(crate) enum Command {
     Drawings(GalleryArgs),
     /// Time the bundled map with its strokes, and strokes of many samples, against resvg
     Strokes,
+    /// Hold `render` against resvg on the files of resvg's test suite
+    Suite(SuiteArgs),
     /// Draw with one variant and nothing else, for a profiler
     Profile {
         /// A scene (triangle-10, circle-5, ...) or a drawing (coast, text/4, ...)

@@ -20,6 +20,7 @@ mod row;
 #[path = "../scenes/mod.rs"]
 mod scenes;
 mod strokes;
+mod suite;
 mod table;
 mod timing;
 mod variant;
@@ -51,6 +52,7 @@ fn main() -> ExitCode {
         None => measure(&cli.measure),
         Some(Command::Drawings(args)) => gallery::measure(args),
         Some(Command::Strokes) => strokes::measure(),
+        Some(Command::Suite(args)) => suite::run(args),
         Some(Command::Profile { name, variant, shapes }) => profile(name, *variant, *shapes),
         Some(Command::Chart(redraw)) => redraw_as(redraw, chart::svg),
         Some(Command::ChartAa(redraw)) => redraw_as(redraw, accuracy_chart::svg),

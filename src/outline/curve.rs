@@ -256,6 +256,16 @@ impl Curve {
         hull
     }
 
+    /// No less than its length, in 1/4096 pixel: that of the lines between its control points, or of the circle around it.
+    pub(crate) const fn length_at_most(&self) -> u64 {
+        match self.kind {
+            Kind::Polynomial { c1, c2, c3, .. } => {
+                c1.length_at_most() + 2 * c2.length_at_most() + 3 * c3.length_at_most()
+            }
+            Kind::Ellipse { u, v, .. } => 7 * ((longest_axis(u, v) >> AXIS_BITS) + 1),
+        }
+    }
+
     /// Into how many parts that go up or down it falls at most.
     pub(crate) const fn parts(&self) -> u32 {
         match self.kind {

@@ -170,10 +170,10 @@ pub trait Curves {
     /// A step by its number, below [`steps`](Self::steps); always the same. Beyond them, a move to anywhere.
     fn step(&self, index: u32) -> Step;
 
-    /// The same of its inside, or of a stroke of a radius, of which nothing is farther away than the second.
+    /// The same of its inside, or of a stroke.
     #[doc(hidden)]
     #[inline]
-    fn chains_at_most(&self, _stroke: Option<(i64, i32)>) -> Option<usize> {
+    fn chains_at_most(&self, _stroke: Option<StrokeReach>) -> Option<usize> {
         None
     }
 
@@ -196,7 +196,7 @@ impl<C: Curves> Curves for &C {
         (**self).step(index)
     }
 
-    fn chains_at_most(&self, stroke: Option<(i64, i32)>) -> Option<usize> {
+    fn chains_at_most(&self, stroke: Option<StrokeReach>) -> Option<usize> {
         (**self).chains_at_most(stroke)
     }
 }
@@ -216,6 +216,20 @@ pub enum Step {
 }
 
 impl Step {
+    /// A rectangle that nothing of it is outside of.
+    pub(crate) const fn hull(&self) -> FineRect {
+        let mut hull = FineRect::EMPTY;
+        match self {
+            Self::Move(at) => hull.add(*at),
+            Self::Line(from, to) | Self::Close(from, to) => {
+                hull.add(*from);
+                hull.add(*to);
+            }
+            Self::Curve(curve) => return curve.hull(),
+        }
+        hull
+    }
+
     /// Where it ends.
     #[inline]
     pub(crate) const fn end(&self) -> FinePoint {
@@ -223,6 +237,39 @@ impl Step {
             Self::Move(to) | Self::Line(_, to) | Self::Close(_, to) => *to,
             Self::Curve(curve) => curve.to(),
         }
+    }
+}
+
+/// How far a stroke reaches from its line, in 1/4096 pixel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct StrokeReach {
+    /// Half of its width.
+    pub(crate) radius: i64,
+    /// Nothing is farther away.
+    pub(crate) most: i32,
+    /// So many dashes are so long together, with their gaps; none is without gaps.
+    pub(crate) dashes: Option<(u32, u64)>,
+}
+
+impl StrokeReach {
+    /// How many dashes of a step meet a row of pixels at most.
+    pub(crate) const fn dashes_in(&self, step: &Step) -> u32 {
+        let Some((count, cycle)) = self.dashes else { return 0 };
+        let (length, height) = match step {
+            Step::Move(_) => return count,
+            Step::Line(from, to) | Step::Close(from, to) => {
+                let vector = Vector::between(*from, *to);
+                (vector.dot(vector).unsigned_abs().isqrt() + 1, vector.y.unsigned_abs() as u128)
+            }
+            Step::Curve(curve) => (curve.length_at_most() as u128, 0),
+        };
+        // What of a line is within reach of the row.
+        let near = 4096 + 2 * self.most.unsigned_abs() as u128;
+        let near = if height > near { length * near / height + 1 } else { length };
+        let dashes = (near / if cycle > 0 { cycle as u128 } else { 1 } + 2) * count as u128;
+        #[allow(clippy::cast_possible_truncation, reason = "compared")]
+        let dashes = if dashes < u32::MAX as u128 / 4 { dashes as u32 } else { u32::MAX / 4 };
+        dashes
     }
 }
 

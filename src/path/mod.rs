@@ -10,7 +10,7 @@ pub use element::{ArcTo, Element};
 pub use parse::{PathError, SvgElements};
 pub use transform::Transform;
 
-use crate::outline::{Curve, Curves, FinePoint, FineRect, Outline, RowCounts, Step, Vertices};
+use crate::outline::{Curve, Curves, FinePoint, FineRect, Outline, RowCounts, Step, StrokeReach, Vertices};
 
 /// Lines, Bézier curves and elliptical arcs, borrowed: from a constant, as a rule.
 ///
@@ -167,13 +167,13 @@ impl Path<'_> {
         self.chains_at_most(None)
     }
 
-    /// The same of a stroke, with its radius and how far it reaches, in 1/4096 pixel.
+    /// The same of a stroke.
     ///
     /// A stroke has two sides, each with the chains of the path. On the inner side of a corner both may overlap: two
     /// chains more. The inner side of a curve has them between any two chords, where it is tighter than the stroke.
-    pub(crate) const fn chains_at_most(&self, stroke: Option<(i64, i32)>) -> usize {
+    pub(crate) const fn chains_at_most(&self, stroke: Option<StrokeReach>) -> usize {
         let (sides, corner, radius, reach) = match stroke {
-            Some((radius, reach)) => (2, 2, radius, reach),
+            Some(StrokeReach { radius, most, .. }) => (2, 2, radius, most),
             None => (1, 0, 0, 0),
         };
         let mut counts = RowCounts::new(self.hull().grown(reach));
@@ -187,6 +187,12 @@ impl Path<'_> {
                 Step::Line(from, to) | Step::Close(from, to) => (from, to),
                 Step::Curve(curve) => (curve.from(), curve.to()),
             };
+            if let Some(stroke) = &stroke {
+                // A dash has two sides.
+                let FineRect { low, high } = step.hull();
+                let dashes = 2 * stroke.dashes_in(&step);
+                counts.add(low.y.saturating_sub(reach), high.y.saturating_add(reach), dashes);
+            }
             if let Step::Curve(curve) = step {
                 let FineRect { low, high } = curve.hull();
                 let spikes = if radius > 0 && curve.tightest() <= 2 * radius { 2 * curve.chords() } else { 0 };
@@ -249,7 +255,7 @@ impl Curves for Path<'_> {
         self.step_at(index)
     }
 
-    fn chains_at_most(&self, stroke: Option<(i64, i32)>) -> Option<usize> {
+    fn chains_at_most(&self, stroke: Option<StrokeReach>) -> Option<usize> {
         Some(Path::chains_at_most(self, stroke))
     }
 }

@@ -56,13 +56,11 @@ pub trait CoverOutline: Outline + Sized {
 impl<O: Outline> CoverOutline for O {}
 
 impl Stroke<'_, Path<'_>> {
-    /// How much scratch an anti-aliased stroke without dashes needs, or a few more. Meant for constants; takes a pass over
-    /// the elements. 0 of dashes: [`CoverOutline::chains`] tells for those.
+    /// How much scratch the anti-aliased stroke needs: as many chains of edges as are in a row of pixels at most, or a few
+    /// more. Meant for constants; takes a pass over the elements.
     pub const fn coverage_edges(&self) -> usize {
-        match self.style().chains() {
-            Some((radius, reach, more)) => self.curves().chains_at_most(Some((radius, reach))).saturating_mul(more),
-            None => 0,
-        }
+        let (reach, more) = self.style().chains();
+        self.curves().chains_at_most(Some(reach)).saturating_mul(more)
     }
 }
 

@@ -12,7 +12,7 @@ use crate::{
     outline::{FinePoint, Vector},
     stroke::{
         Cap, Join,
-        fan::{Fan, halved},
+        fan::{Fan, halved, halved_bend},
         normal::{UNIT_BITS, Unit},
     },
 };
@@ -79,7 +79,7 @@ impl Corner {
         shorter: u128,
         most_halvings: u32,
     ) -> Self {
-        let fan = || match halved(radius, from, to, most_halvings) {
+        let fan = |halved: fn(i64, Unit, Unit, u32) -> (u32, i64)| match halved(radius, from, to, most_halvings) {
             (0, _) => Between::Nothing,
             (halvings, reach) => Between::Fan { halvings, reach },
         };
@@ -89,7 +89,7 @@ impl Corner {
             _ if is_same => Between::Nothing,
             Kind::Cap(Cap::Butt) => Between::Nothing,
             Kind::Cap(Cap::Square) => Between::Square,
-            Kind::Cap(Cap::Round) => fan(),
+            Kind::Cap(Cap::Round) => fan(halved),
             // Clockwise. Both sides cross at r tan(phi / 2) before the corner, which is |n' - n| / |n' + n|: within half
             // of each chord, so that no two crossings change their order.
             Kind::Join(_) | Kind::Bend if cross > 0 || (cross == 0 && from.dot(to) > 0) => {
@@ -115,7 +115,8 @@ impl Corner {
                 }
                 _ => Between::Nothing,
             },
-            Kind::Join(Join::Round) | Kind::Bend => match (fan(), tip(at, radius, from, to)) {
+            Kind::Bend => fan(halved_bend),
+            Kind::Join(Join::Round) => match (fan(halved), tip(at, radius, from, to)) {
                 // Of an arc that is as good as straight, the tip of r^2 phi^3 / 24 is too much, the chord of r^2 phi^3 / 12
                 // too little.
                 (Between::Nothing, Some(tip)) if has_from => Between::Crossing(tip),

@@ -6,12 +6,14 @@ use crate::{
 };
 
 /// How far a chord may be from the arc, in 1/4096 pixel: `s`. What a pixel cuts out of chords of a length `l` adds up to
-/// `0.13 s l` for each (see `outline::Curve`), and `l` is `sqrt(8 r s)`: small arcs may have fewer.
+/// `0.13 s l` for each (see `outline::Curve`), and `l` is `sqrt(8 r s)`: the smaller the arc, the more may it be.
 const fn tolerance(radius: i64) -> i64 {
     const PIXEL: i64 = 4096;
-    if radius < PIXEL {
-        12
-    } else if radius < 3 * PIXEL {
+    if radius < PIXEL / 2 {
+        24
+    } else if radius < 2 * PIXEL {
+        16
+    } else if radius < 8 * PIXEL {
         8
     } else {
         4
@@ -26,24 +28,38 @@ pub(super) const MOST_HALVINGS: u32 = 11;
 /// The square of the chord of the unit circle, `d`, becomes `d / (2 + 2 sqrt(1 - d/4))` when its arc is halved, and the
 /// sagitta is `r d / 8`, to less than a tenth once `d < 1`.
 pub(super) fn halved(radius: i64, from: Unit, to: Unit, most: u32) -> (u32, i64) {
+    let (halvings, square) = chords(radius, from, to, tolerance(radius), most);
+    let chords = 1_i64 << halvings;
+    let moved_out = ((radius * square) >> UNIT_BITS) * chords;
+    (halvings, radius + (moved_out + 6 * (chords - 1)) / (12 * (chords - 1)).max(1))
+}
+
+/// The same between the chords of a curve, which have moved out by themselves: points by 11/16 of the sagitta.
+pub(super) fn halved_bend(radius: i64, from: Unit, to: Unit, most: u32) -> (u32, i64) {
+    let (halvings, square) = chords(radius, from, to, 4, most);
+    (halvings, radius + ((radius * square * 11) >> (UNIT_BITS + 7)))
+}
+
+/// How often it is halved, and the square of the chords that result.
+fn chords(radius: i64, from: Unit, to: Unit, tolerance: i64, most: u32) -> (u32, i64) {
     let between = to.0.minus(from.0);
     // Parts of at most 2^31.
     let mut square = (between.x * between.x).saturating_add(between.y * between.y) >> UNIT_BITS;
     let mut halvings = 0;
-    while (radius * square) >> (UNIT_BITS + 3) >= tolerance(radius) && halvings < most {
+    while (radius * square) >> (UNIT_BITS + 3) >= tolerance && halvings < most {
         let cosine_square = (UNIT - square / 4).max(0);
         let cosine = (cosine_square << UNIT_BITS).cast_unsigned().isqrt().cast_signed();
         square = (square << UNIT_BITS) / (2 * (UNIT + cosine)).max(1);
         halvings += 1;
     }
-    (halvings, radius + ((radius * square * 11) >> (UNIT_BITS + 7)))
+    (halvings, square)
 }
 
 /// The arc around `center` between two directions: anticlockwise (as y grows downwards), by at most half a turn.
 ///
 /// By halving: the direction between two is that of their sum, or, where they are more than a quarter apart, across
-/// their difference. Points are moved out by 11/16 of the sagitta, so that chords keep the arc's area (see
-/// `outline::Curve`).
+/// their difference. Its points, but not its ends, are moved out so that `n` chords of an angle `a` keep the area of the
+/// arc: by `r a^2 / 12 * n / (n - 1)`, as `r (r + m) sin a + (n - 2) / 2 (r + m)^2 sin a` is to be `r^2 n a / 2`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Fan {
     pub(super) center: FinePoint,

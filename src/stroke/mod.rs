@@ -91,8 +91,8 @@ impl<C: Curves> Outline for Stroke<'_, C> {
     }
 
     fn chains_at_most(&self) -> Option<usize> {
-        let (radius, reach, more) = self.style.chains()?;
-        Some(self.curves.chains_at_most(Some((radius, reach)))?.saturating_mul(more))
+        let (reach, more) = self.style.chains();
+        Some(self.curves.chains_at_most(Some(reach))?.saturating_mul(more))
     }
 
     fn winding_rule(&self) -> WindingRule {

@@ -57,22 +57,20 @@ impl Run {
         if is_back { [end.opposite(), start.opposite()] } else { [start, end] }
     }
 
-    /// The normal of a chord, and the square of its length. One of no length is as the one before.
-    pub(super) fn chord(&self, mut index: u32, is_back: bool) -> (Unit, u128) {
-        if self.curve.is_some() {
-            loop {
-                let vector = Vector::between(self.point(index, is_back), self.point(index + 1, is_back));
-                if let Some(direction) = Unit::along(vector) {
-                    return (direction.turned(), vector.dot(vector).unsigned_abs());
-                }
-                if index == 0 {
-                    break;
-                }
-                index -= 1;
-            }
-        }
+    /// The normal of a chord, and the square of its length. One of no length has that of the curve there.
+    pub(super) fn chord(&self, index: u32, is_back: bool) -> (Unit, u128) {
         let [start, _] = self.ends(is_back);
-        let vector = Vector::between(self.from, self.to);
-        (start, vector.dot(vector).unsigned_abs())
+        let Some((curve, first, _)) = self.curve else {
+            let vector = Vector::between(self.from, self.to);
+            return (start, vector.dot(vector).unsigned_abs());
+        };
+        let vector = Vector::between(self.point(index, is_back), self.point(index + 1, is_back));
+        if let Some(direction) = Unit::along(vector) {
+            return (direction.turned(), vector.dot(vector).unsigned_abs());
+        }
+        let forward = if is_back { self.chords().saturating_sub(index + 1) } else { index };
+        let direction = Unit::along(curve.direction((first + forward).saturating_sub(1), 1 << 15));
+        let normal = direction.map(|direction| if is_back { direction.turned_back() } else { direction.turned() });
+        (normal.unwrap_or(start), 0)
     }
 }

@@ -1,6 +1,6 @@
 //! How a stroke looks.
 
-use crate::outline::clamp_fine;
+use crate::outline::{StrokeReach, clamp_fine};
 
 /// What is at the ends of an open stroke, and of dashes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
@@ -155,14 +155,21 @@ impl<'d> StrokeStyle<'d> {
         false
     }
 
-    /// For the chains of a stroke: its radius, how far it reaches, and how many times as many its alignment makes of
-    /// them; none of dashes.
-    pub(crate) const fn chains(&self) -> Option<(i64, i32, usize)> {
-        match self.align {
-            _ if self.has_gaps() => None,
-            Align::Center => Some((self.radius(), self.reach(), 1)),
-            Align::Inside | Align::Outside => Some((2 * self.radius(), self.reach(), 2)),
+    /// For the chains of a stroke: how far it reaches, and how many times as many its alignment makes of them.
+    pub(crate) const fn chains(&self) -> (StrokeReach, usize) {
+        let (mut sum, mut dashes) = (0, self.dashes);
+        while let [first, rest @ ..] = dashes {
+            sum += 16 * *first as u64;
+            dashes = rest;
         }
+        #[allow(clippy::cast_possible_truncation, reason = "more are no pattern")]
+        let count = self.dashes.len() as u32;
+        let dashes = if self.has_gaps() { Some((count, sum)) } else { None };
+        let (radius, more) = match self.align {
+            Align::Inside | Align::Outside if !self.has_gaps() => (2 * self.radius(), 2),
+            _ => (self.radius(), 1),
+        };
+        (StrokeReach { radius, most: self.reach(), dashes }, more)
     }
 
     /// How far from its line anything of it may be, in 1/4096 pixel.

@@ -18,7 +18,7 @@ use crate::{
         Align, Cap, Join, StrokeStyle,
         corner::{Corner, Kind},
         dash::Dashes,
-        fan::{MOST_HALVINGS, halved},
+        fan::{MOST_HALVINGS, halved_bend},
         normal::Unit,
         run::Run,
     },
@@ -101,7 +101,8 @@ impl<'a> Walk<'a> {
         }
         let is_straight = chords == 0 && style.cap != Cap::Round && style.join != Join::Round;
         let corner_bits = if chords == 0 { 0 } else { u32::BITS - (chords + 1).leading_zeros() };
-        let most = if is_straight { 1 } else { halved(radius, Unit::RIGHT, Unit::RIGHT.opposite(), MOST_HALVINGS).0 };
+        let most =
+            if is_straight { 1 } else { halved_bend(radius, Unit::RIGHT, Unit::RIGHT.opposite(), MOST_HALVINGS).0 };
         // The numbers of the lines and curves come first: round corners may have fewer vertices than they should.
         let run_bits = u32::BITS - curves.steps().leading_zeros();
         let vertex_bits = (most + 1).max(2).min(INDEX_BITS.saturating_sub(1 + corner_bits + run_bits).max(2));
