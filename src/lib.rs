@@ -90,7 +90,8 @@
 //!
 //! A [`Polygon`] works in scratch that is lent ([`Polygon::in_scratch`], [`Polygon::coverage_in`]) or on the stack
 //! ([`Polygon::with_capacity`], [`Polygon::coverage_with`]); constants tell how much it needs. A [`Path`], a [`Stroke`]
-//! or any other [`Outline`] becomes one by [`collect`].
+//! or any other [`Outline`] is anti-aliased the same way, without memory for its vertices ([`CoverOutline`]); without
+//! anti-aliasing, it becomes a polygon by [`collect`].
 //!
 //! # What varies
 //!

@@ -67,6 +67,14 @@ const fn log_chords(deviation: u64) -> u32 {
     log
 }
 
+/// 0 where there is none.
+const fn quotient(value: i128, divisor: i128) -> i128 {
+    match value.checked_div(divisor) {
+        Some(quotient) => quotient,
+        None => 0,
+    }
+}
+
 /// At least the longer half axis of an ellipse, in the unit of its axes.
 const fn longest_axis(u: Vector, v: Vector) -> u64 {
     // Half the sum and the difference of these are the half axes.
@@ -138,7 +146,10 @@ impl Curve {
             let grown = axis + more as i64;
             grown
         }
-        let step = sweep.unsigned_abs() / chords as u64;
+        let step = match sweep.unsigned_abs().checked_div(chords as u64) {
+            Some(step) => step,
+            None => 0,
+        };
         let u = Vector::new(grow(u.x, step), grow(u.y, step));
         let v = Vector::new(grow(v.x, step), grow(v.y, step));
         Self { from, to, kind: Kind::Ellipse { center, u, v, start, sweep, chords, is_reversed: false } }
@@ -286,22 +297,22 @@ impl Curve {
                 let least = if first < middle { first } else { middle };
                 let least = if least < last { least } else { last };
                 let length = chord.dot(chord).unsigned_abs().isqrt().cast_signed() + 1;
-                let speed = if least > 0 { least / length } else { 0 };
+                let speed = if least > 0 { quotient(least, length) } else { 0 };
                 let (start, end) = (c2.length_at_most(), c2.plus(c3.times(3)).length_at_most());
                 let turn = 2 * (if start > end { start } else { end }) as i128 + 1;
                 #[allow(
                     clippy::cast_possible_truncation,
                     reason = "a square of 2^37 at most, over one or more; cut off"
                 )]
-                let radius = (speed * speed / turn) as i64;
+                let radius = quotient(speed * speed, turn) as i64;
                 radius
             }
             Kind::Ellipse { u, v, .. } => {
                 let longer = (longest_axis(u, v) as i128) + 1;
                 let product = u.x as i128 * v.y as i128 - u.y as i128 * v.x as i128;
-                let shorter = product.abs() / longer;
+                let shorter = quotient(product.abs(), longer);
                 #[allow(clippy::cast_possible_truncation, reason = "less than an axis")]
-                let radius = (shorter * shorter / longer) as i64;
+                let radius = quotient(shorter * shorter, longer) as i64;
                 radius >> AXIS_BITS
             }
         }

@@ -265,8 +265,15 @@ impl StrokeReach {
         };
         // What of a line is within reach of the row.
         let near = 4096 + 2 * self.most.unsigned_abs() as u128;
-        let near = if height > near { length * near / height + 1 } else { length };
-        let dashes = (near / if cycle > 0 { cycle as u128 } else { 1 } + 2) * count as u128;
+        let near = match (length * near).checked_div(height) {
+            Some(part) if height > near => part + 1,
+            _ => length,
+        };
+        let cycles = match near.checked_div(cycle as u128) {
+            Some(cycles) => cycles + 2,
+            None => 2,
+        };
+        let dashes = cycles * count as u128;
         #[allow(clippy::cast_possible_truncation, reason = "compared")]
         let dashes = if dashes < u32::MAX as u128 / 4 { dashes as u32 } else { u32::MAX / 4 };
         dashes

@@ -189,7 +189,7 @@ fn tip(at: FinePoint, radius: i64, from: Unit, to: Unit) -> Option<FinePoint> {
     }
     // Of a radius of 2^29 at most. The sum is no longer than the root of its square.
     const BITS: u32 = 62;
-    let scale = (i128::from(2 * radius) << (UNIT_BITS + BITS)) / i128::from(square);
+    let scale = (i128::from(2 * radius) << (UNIT_BITS + BITS)).checked_div(square.into())?;
     let part = |part: i64| {
         let tip = crate::outline::shift_half_even_wide(i128::from(part) * scale, BITS);
         i64::try_from(tip).unwrap_or(if tip < 0 { i64::MIN / 4 } else { i64::MAX / 4 })

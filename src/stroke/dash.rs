@@ -103,9 +103,9 @@ pub(super) struct Dashes<'d> {
     start: Pattern<'d>,
     cap: Cap,
     count: u32,
-    /// Before every so many dashes.
+    /// Before every `2^log_every`th dash.
     stops: [Option<Pen<'d>>; STOPS],
-    every: u32,
+    log_every: u32,
     /// The dash that was asked for last, and where it was left.
     latest: Cell<Option<(u32, Dash, Pen<'d>)>>,
 }
@@ -114,19 +114,26 @@ impl<'d> Dashes<'d> {
     /// None where there are no gaps.
     pub(super) fn new(curves: &'d dyn Curves, style: &StrokeStyle<'d>) -> Option<Self> {
         let start = Pattern::new(style)?;
-        let mut dashes =
-            Self { curves, start, cap: style.cap, count: 0, stops: [None; STOPS], every: 1, latest: Cell::new(None) };
+        let mut dashes = Self {
+            curves,
+            start,
+            cap: style.cap,
+            count: 0,
+            stops: [None; STOPS],
+            log_every: 0,
+            latest: Cell::new(None),
+        };
         let mut pen = dashes.pen();
         loop {
-            if dashes.count / dashes.every >= STOPS as u32 {
+            if (dashes.count >> dashes.log_every) as usize >= STOPS {
                 let mut kept = [None; STOPS];
                 for (kept, stop) in kept.iter_mut().zip(dashes.stops.iter().step_by(2)) {
                     *kept = *stop;
                 }
-                (dashes.stops, dashes.every) = (kept, dashes.every * 2);
+                (dashes.stops, dashes.log_every) = (kept, dashes.log_every + 1);
             }
-            if dashes.count % dashes.every == 0
-                && let Some(stop) = dashes.stops.get_mut((dashes.count / dashes.every) as usize)
+            if dashes.count & ((1 << dashes.log_every) - 1) == 0
+                && let Some(stop) = dashes.stops.get_mut((dashes.count >> dashes.log_every) as usize)
             {
                 *stop = Some(pen);
             }
@@ -152,10 +159,10 @@ impl<'d> Dashes<'d> {
         {
             return Some(dash);
         }
-        let stop = number / self.every;
+        let stop = number >> self.log_every;
         let (mut next, mut pen) = match latest {
-            Some((kept, _, pen)) if kept < number && kept / self.every == stop => (kept + 1, pen),
-            _ => (stop * self.every, (*self.stops.get(stop as usize)?)?),
+            Some((kept, _, pen)) if kept < number && kept >> self.log_every == stop => (kept + 1, pen),
+            _ => (stop << self.log_every, (*self.stops.get(stop as usize)?)?),
         };
         loop {
             let dash = self.advance(&mut pen)?;

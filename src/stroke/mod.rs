@@ -1,13 +1,15 @@
 //! Strokes: what a pen of some width covers, as closed contours that are wound alike.
 //!
 //! ```text
-//!    .---------------.                 each line, or curve, is a contour with the corner after it; where they overlap,
-//!    |               +-.               the non-zero rule adds them up: no inner joins, no cusps, no
-//!    a---------------b  \              double edges, whatever the opacity
-//!    |           .---+---+
-//!    '-----------+---'   |
-//!                |   |   |
+//!    .---------------.                 an open subpath is one contour, a closed one two, its sides; where a side crosses
+//!    |               |                 itself, at corners whose lines are too short and where a curve is tighter than
+//!    a---------.     b                 the stroke, the non-zero rule adds up what is covered, whatever the opacity
+//!    |          \\    |
+//!    '---------- '---'
 //! ```
+//!
+//! As a union of convex pieces, a rectangle for each line and a sector or triangle for each corner, the same pixels take two
+//! to eight times as long: every edge between pieces is one more chain that crosses others.
 //!
 //! What is drawn is what Nehab ("Converting stroked primitives to filled primitives", 2020) defines: the points covered
 //! by a line segment of the stroke's width that sweeps along the path, at high curvature up to the evolute, too.
@@ -35,8 +37,9 @@ use crate::outline::{Curves, FinePoint, FineRect, Outline, OutlineSink, Vertices
 ///
 /// # Cost
 ///
-/// A line: a square root, two divisions and six edges with its corner. A chord of a curve: the same twice, and four
-/// edges. Its memory is the stack: a few hundred bytes.
+/// A line: a square root, two divisions and two edges, and those of its corner, for as often as its vertices are asked
+/// for; a chord of a curve the same twice. The latest few are kept on the stack: 2.5 KiB on boards, 40 on hosts, and
+/// 1.2 more for dashes.
 ///
 /// # Examples
 ///
@@ -45,7 +48,7 @@ use crate::outline::{Curves, FinePoint, FineRect, Outline, OutlineSink, Vertices
 ///
 /// let style = StrokeStyle::pixels(4).cap(Cap::Round).dashes(&[6 * 256, 5 * 256]);
 /// let stroke = Stroke::new(path!("M10 10h30v20"), style);
-/// assert!(stroke.count().contours > 5);
+/// assert_eq!(stroke.count().contours, 5);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Stroke<'d, C> {
