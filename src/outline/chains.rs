@@ -4,6 +4,8 @@ use crate::outline::{FineRect, Vertices};
 
 /// Rows in so many parts: a count for each.
 const PARTS: usize = 64;
+const LAST_PART: i32 = 63;
+const _: () = assert!(LAST_PART as usize + 1 == PARTS);
 
 /// How many chains there are in each part of some rows: no fewer than in any row of it.
 #[derive(Debug)]
@@ -19,7 +21,7 @@ impl RowCounts {
         let (first, last) = (extent.low.y >> 12, extent.high.y >> 12);
         let rows = if first <= last { last - first } else { 0 };
         let mut log_rows = 0;
-        while rows >> log_rows >= PARTS as i32 {
+        while rows >> log_rows > LAST_PART {
             log_rows += 1;
         }
         Self { first, log_rows, counts: [0; PARTS] }
@@ -32,7 +34,7 @@ impl RowCounts {
         if at < 0 {
             at = 0;
         }
-        while at <= end && at < PARTS as i32 {
+        while at <= end && at <= LAST_PART {
             #[allow(clippy::indexing_slicing, clippy::cast_sign_loss, reason = "compared above")]
             let count = &mut self.counts[at as usize];
             *count = count.saturating_add(chains);

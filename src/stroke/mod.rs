@@ -4,12 +4,12 @@
 //!    .---------------.                 an open subpath is one contour, a closed one two, its sides; where a side crosses
 //!    |               |                 itself, at corners whose lines are too short and where a curve is tighter than
 //!    a---------.     b                 the stroke, the non-zero rule adds up what is covered, whatever the opacity
-//!    |          \\    |
+//!    |          \    |
 //!    '---------- '---'
 //! ```
 //!
-//! As a union of convex pieces, a rectangle for each line and a sector or triangle for each corner, the same pixels take two
-//! to eight times as long: every edge between pieces is one more chain that crosses others.
+//! As a union of convex pieces, a rectangle for each line and a sector or triangle for each corner, the same pixels take 2 to
+//! 15 times as long: every edge between pieces is one more chain that crosses others.
 //!
 //! What is drawn is what Nehab ("Converting stroked primitives to filled primitives", 2020) defines: the points covered
 //! by a line segment of the stroke's width that sweeps along the path, at high curvature up to the evolute, too.
@@ -38,8 +38,8 @@ use crate::outline::{Curves, FinePoint, FineRect, Outline, OutlineSink, Vertices
 /// # Cost
 ///
 /// A line: a square root, two divisions and two edges, and those of its corner, for as often as its vertices are asked
-/// for; a chord of a curve the same twice. The latest few are kept on the stack: 2.5 KiB on boards, 40 on hosts, and
-/// 1.2 more for dashes.
+/// for; a chord of a curve the same twice. The latest few are kept on the stack: 2.3 KiB on boards, 33 on hosts, and
+/// 1.5 more for dashes.
 ///
 /// # Examples
 ///

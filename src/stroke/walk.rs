@@ -268,7 +268,7 @@ impl<'a> Walk<'a> {
     }
 
     const fn radius(&self, contour: u32) -> i64 {
-        if !matches!(self.align, Align::Center) && contour % PARTS == 0 { 0 } else { self.radius }
+        if !matches!(self.align, Align::Center) && contour.is_multiple_of(PARTS) { 0 } else { self.radius }
     }
 
     fn corners(&self, contour: u32, run: u32) -> u32 {
