@@ -310,8 +310,8 @@ fn constants_have_room_for_every_row() {
     ];
     for data in shapes {
         let elements = svg(data);
-        for turn in 0..24 {
-            let about = spanfill::Transform::turned_about(FinePoint::whole(32, 32), Angle::fraction(turn, 24));
+        for turn in 0..12 {
+            let about = spanfill::Transform::turned_about(FinePoint::whole(32, 32), Angle::fraction(turn, 12));
             let path = Path::new(&elements).transformed(about);
             assert!(path.chains() <= path.coverage_edges(), "{data} {turn}");
             for width in [100, 700, 2560, 9000] {
@@ -322,6 +322,9 @@ fn constants_have_room_for_every_row() {
                             let stroke = Stroke::new(path, style);
                             let (found, room) = (stroke.chains(), stroke.coverage_edges());
                             assert!(found <= room, "{data} {turn} {width} {cap:?} {join:?}: {found} {room}");
+                            if turn % 4 > 0 || cap == Cap::Square {
+                                continue;
+                            }
                             let dashed = Stroke::new(path, style.dashes(&[700, 300, 0, 900]));
                             let (found, room) = (dashed.chains(), dashed.coverage_edges());
                             assert!(found <= room, "{data} {turn} {width} {cap:?}, dashed: {found} {room}");

@@ -176,6 +176,11 @@ impl Path<'_> {
             Some(StrokeReach { radius, most, .. }) => (2, 2, radius, most),
             None => (1, 0, 0, 0),
         };
+        // Dashed curves have more chords.
+        let finer = match stroke {
+            Some(StrokeReach { dashes: Some(_), .. }) => 4,
+            _ => 1,
+        };
         let mut counts = RowCounts::new(self.hull().grown(reach));
         // The chain so far.
         let (mut top, mut bottom, mut direction) = (0, 0, 0);
@@ -195,7 +200,7 @@ impl Path<'_> {
             }
             if let Step::Curve(curve) = step {
                 let FineRect { low, high } = curve.hull();
-                let spikes = if radius > 0 && curve.tightest() <= 2 * radius { 2 * curve.chords() } else { 0 };
+                let spikes = if radius > 0 && curve.tightest() <= 2 * radius { 2 * finer * curve.chords() } else { 0 };
                 let chains = sides * curve.parts() + spikes + 2 * corner;
                 counts.add(low.y.saturating_sub(reach), high.y.saturating_add(reach), chains);
             } else {
