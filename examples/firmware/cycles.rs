@@ -38,8 +38,8 @@ use spanfill::{
 
 use instruction_counter::InstructionCounter;
 use scenes::{
-    CONCAVE_64, CONCAVE_RADIUS_PX, FRAME_WIDTH, Frame, PixelPoint, RecordBlocks, STAR, STAR_RADIUS_PX, Scene,
-    SubpixelPoint, circles, lines, triangles,
+    CONCAVE_64, CONCAVE_RADIUS_PX, Frame, PixelPoint, RecordBlocks, STAR, STAR_RADIUS_PX, Scene, SubpixelPoint,
+    circles, lines, triangles,
 };
 
 /// How many shapes are drawn between two readings of the timer. The costliest take 70 million instructions, a tenth of
