@@ -77,7 +77,8 @@ pub(crate) fn run(args: &SuiteArgs) -> Result<ExitCode, Box<dyn Error>> {
          cargo run --release --manifest-path benches/Cargo.toml -- suite target/resvg/crates/resvg/tests/tests\n```\n\n\
          A few pixels are the tips of corners, two pixels long in both. Beyond that: a curve whose end turns within less than \
          its stroke's width (`line-as-curve-2`, `control-points-clamping-1`) is what its ribs sweep over, where resvg cuts it \
-         off; a clipped miter (`miter-clip`) is a bevel. What is left is `render`'s: a marker on a closed line back \
+         off; a clipped miter (`miter-clip`) is a bevel; dashes \
+         that end at corners just so (`n-0`) have no corners at all here, and some there. What is left is `render`'s: a marker on a closed line back \
          (`orient=auto-on-M-L-Z`), and drawings that are stretched (`preserveAspectRatio=none`).\n\n\
          | file | what differs |\n|---|---|\n{rows}",
         compared.len(),

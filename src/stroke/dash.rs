@@ -31,9 +31,6 @@ impl<'d> Pattern<'d> {
     /// None where there are no gaps.
     pub(super) fn new(style: &StrokeStyle<'d>) -> Option<Self> {
         let dashes = style.dashes;
-        if !style.has_gaps() {
-            return None;
-        }
         let sum: u64 = dashes.iter().map(|length| u64::from(*length)).sum();
         let cycle = if dashes.len() % 2 == 1 { 2 * sum } else { sum };
         let cycle = i64::try_from(cycle).ok().filter(|cycle| *cycle > 0)?;

@@ -121,7 +121,7 @@ impl<'d> StrokeStyle<'d> {
     }
 
     /// The same in dashes and gaps of these lengths in turn, in 1/256 pixel; an odd number of them is gone through
-    /// twice. Without any, or where all gaps are 0, it is one piece. Dashes of no length are dots.
+    /// twice. Without any, or where all are 0, it has no gaps. Dashes of no length are dots.
     #[inline]
     #[must_use]
     pub const fn dashes(self, dashes: &'d [u32]) -> Self {
@@ -144,15 +144,13 @@ impl<'d> StrokeStyle<'d> {
         Self { align, ..self }
     }
 
-    /// Of an odd number of lengths, each is a gap the second time around.
     pub(super) const fn has_gaps(&self) -> bool {
-        let all_are = !self.dashes.len().is_multiple_of(2);
-        let (mut dashes, mut is_gap) = (self.dashes, false);
+        let mut dashes = self.dashes;
         while let [first, rest @ ..] = dashes {
-            if *first > 0 && (is_gap || all_are) {
+            if *first > 0 {
                 return true;
             }
-            (dashes, is_gap) = (rest, !is_gap);
+            dashes = rest;
         }
         false
     }
