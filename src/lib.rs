@@ -89,7 +89,8 @@
 //! # Polygons, paths and strokes
 //!
 //! A [`Polygon`] works in scratch. One [`Scratch`] serves all of them, one after the other, and can be a `static`; constants
-//! tell how large it has to be. A [`Path`], a [`Stroke`] or any other [`Outline`] is drawn [`within`](Within::within) it, too.
+//! tell how large it has to be. A [`Path`], a [`Stroke`] or any other [`Outline`] is drawn [`within`](Within::within) it,
+//! too, or anti-aliased without memory for its vertices ([`CoverOutline`]).
 //!
 //! ```
 //! use embedded_graphics::{mock_display::MockDisplay, pixelcolor::Gray4, prelude::*};
@@ -204,7 +205,8 @@ pub use framebuffer::{
 };
 pub use geometry::{PixelRect, Vertex};
 pub use outline::{
-    Curve, CurvePoints, CurveSink, Curves, FinePoint, FineRect, Flattened, Outline, OutlineCount, OutlineSink,
+    Curve, CurvePoints, Curves, FinePoint, FineRect, Flattened, Outline, OutlineCount, OutlineSink, Step, StrokeReach,
+    Vertices, WindingRule,
 };
 pub use paint::{
     AreaSink, Areas, BadStops, Cells as MosaicCells, ConicalGradient, EmptyPattern, GouraudPaint, Hatch,
@@ -216,15 +218,19 @@ pub use primitive::{Arc, ArcLine, CircleOutline, Ellipse, Rectangle, Ring, Round
 pub use scratch::{PolygonWithin, Scratch, ScratchSize, ScratchTooSmall, Within, edges_for};
 pub use seed_fill::{Connectivity, FillRegion, FillSegment, SeedFill, SeedFillError};
 pub use shape::{
-    ActiveEdge, Circle, Cover, FillRule, Line, Polygon, PolygonCoverageIn, PolygonCoverageWith, PolygonEdges,
-    PolygonInScratch, PolygonWithCapacity, SampleEdge, Shape, SupersampledIn, Triangle,
+    ActiveEdge, Circle, Cover, CoverOutline, FillRule, Line, OutlineCoverageIn, OutlineCoverageWith, Polygon,
+    PolygonCoverageIn, PolygonCoverageWith, PolygonEdges, PolygonInScratch, PolygonWithCapacity, SampleEdge, Shape,
+    SupersampledIn, Triangle,
 };
 pub use span::{BlockSink, Span, SpanSink};
-pub use stroke::{Cap, Join, Stroke, StrokeStyle};
+pub use stroke::{Align, Cap, Join, Stroke, StrokeStyle};
 pub use target::{Canvas, PixelRows, View};
 pub use turn::Turn;
 
 /// The traits that a program which draws needs in scope.
 pub mod prelude {
-    pub use crate::{AntiAlias as _, Attributes as _, Cover as _, Fill as _, Painting as _, Shape as _, Within as _};
+    pub use crate::{
+        AntiAlias as _, Attributes as _, Cover as _, CoverOutline as _, Fill as _, Painting as _, Shape as _,
+        Within as _,
+    };
 }

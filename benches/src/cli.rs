@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
-use crate::{row::scene_from, scenes::Scene, variant::Variant};
+use crate::{row::scene_from, scenes::Scene, suite::SuiteArgs, variant::Variant};
 
 /// What spanfill costs, side by side with other libraries and the bare filling of the same pixels.
 ///
@@ -78,6 +78,10 @@ pub(crate) enum Command {
         #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..))]
         rounds: u32,
     },
+    /// Time the bundled map with its strokes, and strokes of many samples, against resvg
+    Strokes,
+    /// Hold `render` against resvg on the files of resvg's test suite
+    Suite(SuiteArgs),
     /// Draw with one variant and nothing else, for a profiler
     Profile {
         /// A scene (triangle-10, circle-5, ...) or a drawing (coast, text/4, ...)

@@ -20,6 +20,8 @@ mod readme;
 mod row;
 #[path = "../scenes/mod.rs"]
 mod scenes;
+mod strokes;
+mod suite;
 mod table;
 mod timing;
 mod variant;
@@ -54,6 +56,8 @@ fn main() -> ExitCode {
             print!("{}\n{}", Environment::new(), frames::report(*rounds));
             Ok(ExitCode::SUCCESS)
         }
+        Some(Command::Strokes) => strokes::measure(),
+        Some(Command::Suite(args)) => suite::run(args),
         Some(Command::Profile { name, variant, shapes }) => profile(name, *variant, *shapes),
         Some(Command::Chart(redraw)) => redraw_as(redraw, chart::svg),
         Some(Command::ChartAa(redraw)) => redraw_as(redraw, accuracy_chart::svg),

@@ -31,12 +31,15 @@ use embedded_graphics::{
     primitives::{self as eg, PrimitiveStyle, Rectangle},
 };
 use panic_semihosting as _;
-use spanfill::{AntiAlias, Blend, Circle, Cover, Fill, InPlace, Line, Over, Polygon, Triangle, Vertex};
+use spanfill::{
+    AntiAlias, Blend, Circle, Cover, Fill, InPlace, Line, Over, Polygon, Triangle, Vertex,
+    eg::{DrawOn as _, Style},
+};
 
 use instruction_counter::InstructionCounter;
 use scenes::{
-    CONCAVE_64, CONCAVE_RADIUS_PX, FRAME_WIDTH, Frame, PixelPoint, RecordBlocks, STAR, STAR_RADIUS_PX, Scene,
-    SubpixelPoint, circles, lines, triangles,
+    CONCAVE_64, CONCAVE_RADIUS_PX, Frame, PixelPoint, RecordBlocks, STAR, STAR_RADIUS_PX, Scene, SubpixelPoint,
+    circles, lines, triangles,
 };
 
 /// How many shapes are drawn between two readings of the timer. The costliest take 70 million instructions, a tenth of
@@ -91,6 +94,8 @@ fn main() -> ! {
         bench.scene(Scene::Circles(100)),
         bench.scene(Scene::Lines(50)),
         bench.scene(Scene::Lines(200)),
+        bench.thick_lines(50),
+        bench.thick_lines(200),
         bench.star(),
         bench.concave_64(),
     ];
@@ -156,6 +161,31 @@ impl Bench {
             Scene::Stars(_) | Scene::Concave64(_) => unreachable!("a constant of each is measured"),
         };
         Row { name: scene.name(), size_name: scene.size_name(), size_px: scene.size_px(), cost }
+    }
+
+    /// Lines three pixels wide, by the styles of both.
+    fn thick_lines(&mut self, box_px: i32) -> Row {
+        let ends = lines(box_px).map(|ends| ends.map(|[x, y]| Point::new(x, y)));
+        let shapes: [_; SHAPES] = take(ends.map(|[start, end]| eg::Line::new(start, end)));
+        let theirs = shapes.map(|line| line.into_styled(PrimitiveStyle::with_stroke(COLOUR, 3)));
+        let style = Style::with_stroke(COLOUR, 3);
+        let ours = shapes.map(|line| line.into_styled(style));
+        let blended = shapes.map(|line| line.into_styled(style.antialiased(InPlace)));
+        let over = shapes.map(|line| line.into_styled(style.antialiased(Over(BACKGROUND))));
+        let anti_aliased = blended.chunks(ANTI_ALIASED_SHAPES).map(|lines| {
+            u64::from(self.counter.count(lines, |line| {
+                let Ok(()) = line.draw_on(self.frame);
+            }))
+        });
+        let anti_aliased = anti_aliased.sum::<u64>() / SHAPES as u64;
+        let cost = Cost {
+            embedded_graphics: Some(self.draw(&theirs)),
+            spanfill: self.draw(&ours),
+            bare_fill: self.fill_blocks_of(&ours),
+            anti_aliased: anti_aliased as u32,
+            anti_aliased_over: self.draw(&over),
+        };
+        Row { name: "line-3px", size_name: "box", size_px: box_px, cost }
     }
 
     fn star(&mut self) -> Row {

@@ -16,11 +16,11 @@ use embedded_graphics::{
     primitives::{self as eg, CornerRadii, Rectangle, StrokeAlignment, StyledDimensions, StyledDrawable},
 };
 use spanfill::{
-    ActiveEdge, Arc, Blend, BlockSink, Cap, Circle, CircleOutline, Connectivity, Cover, CoverageEdge, CoverageSink,
-    Dither, Element, Ellipse, FillRegion, FillRule, FillSegment, FinePoint, I24F8, InPlace, Join, Line, Linear, Mix,
-    MixLinear, Outline, OutlineSink, Over, Path, PixelRect, PixelRows, Polygon, ReadBack, Ring, RoundedRectangle,
-    SampleCell, SampleEdge, Samples, Scratch, Sector, SeedFill, Shape, Span, SpanSink, Stroke, StrokeStyle,
-    SvgElements, TaperedLine, TooLittleScratch, Transform, Triangle, Turn, Vertex, collect,
+    ActiveEdge, Align, Arc, Blend, BlockSink, Cap, Circle, CircleOutline, Connectivity, Cover, CoverageEdge,
+    CoverageSink, Dither, Element, Ellipse, FillRegion, FillRule, FillSegment, FinePoint, I24F8, InPlace, Join, Line,
+    Linear, Mix, MixLinear, Outline, OutlineSink, Over, Path, PixelRect, PixelRows, Polygon, ReadBack, Ring,
+    RoundedRectangle, SampleCell, SampleEdge, Samples, Scratch, Sector, SeedFill, Shape, Span, SpanSink, Stroke,
+    StrokeStyle, SvgElements, TaperedLine, TooLittleScratch, Transform, Triangle, Turn, Vertex, collect,
     eg::{DrawOn, Style, StyleBuilder},
     prelude::*,
 };
@@ -322,7 +322,11 @@ fn outline(outline: &impl Outline, clip: &PixelRect, display: &mut Display) {
         push(polygon, clip, display);
     }
     outline.emit(&mut Points);
-    black_box((outline.extent(), outline.count()));
+    black_box((outline.extent(), outline.count(), outline.chains()));
+    let mut edges = black_box([CoverageEdge::EMPTY; 16]);
+    if let Ok(shape) = outline.coverage_in(some_of(&mut edges)) {
+        cover(&shape, clip, display);
+    }
     let mut vertices = black_box([Vertex::from_bits(0, 0); 16]);
     if let Ok(polygon) = collect(outline, some_of(&mut vertices)) {
         black_box(draw_polygon(polygon, clip, display)).unwrap_or_default();
@@ -346,7 +350,10 @@ fn draw_paths(clip: &PixelRect, display: &mut Display) {
     outline(&path, clip, display);
     let dashes = black_box([256_u32; 3]);
     let style = StrokeStyle::new(black_box(256)).cap(black_box(Cap::Round)).join(black_box(Join::Round));
-    outline(&Stroke::new(path, style.dashes(&dashes).phase(black_box(1))), clip, display);
+    let stroke = Stroke::new(path, style.dashes(&dashes).phase(black_box(1)).align(black_box(Align::Inside)));
+    outline(&stroke, clip, display);
+    black_box(stroke.coverage_edges());
+    black_box(stroke.connect(Rgb565::RED, display)).unwrap_or_default();
 }
 
 fn draw_curves(clip: &PixelRect, display: &mut Display) {

@@ -73,7 +73,7 @@ build_oled() {
 }
 
 build_cycles() {
-    build_firmware cycles thumbv7em-none-eabi
+    build_firmware cycles thumbv7em-none-eabi --features embedded-graphics
 }
 
 build_cycles_aa() {

@@ -49,12 +49,16 @@ pub(crate) fn stroke(path: &BezPath, style: &usvg::Stroke, to_device: Affine, ha
 
     let mut stroke = style.to_tiny_skia();
     stroke.width = (f64::from(stroke.width) * resolution) as f32;
-    let dashed = match style.dasharray() {
-        None => pixels,
+    let in_pixels = |length: f32| f64::from(length) * resolution;
+    let lengths: Option<Vec<f64>> =
+        style.dasharray().map(|lengths| lengths.iter().map(|&length| in_pixels(length)).collect());
+    let offset = in_pixels(style.dashoffset());
+    // Of thin lines, and of what is squeezed; the crate dashes what it strokes.
+    let dashed = || match &lengths {
+        None => Some(pixels.clone()),
         Some(lengths) => {
-            let lengths = lengths.iter().map(|&length| (f64::from(length) * resolution) as f32);
-            let offset = (f64::from(style.dashoffset()) * resolution) as f32;
-            pixels.dash(&StrokeDash::new(lengths.collect(), offset)?, RESOLUTION_SCALE)?
+            let lengths = lengths.iter().map(|&length| length as f32);
+            pixels.dash(&StrokeDash::new(lengths.collect(), offset as f32)?, RESOLUTION_SCALE)
         }
     };
 
@@ -68,21 +72,23 @@ pub(crate) fn stroke(path: &BezPath, style: &usvg::Stroke, to_device: Affine, ha
         Hairlines::AsWideAsTheyAre => straight && width == 256.0 && style.linecap() == LineCap::Butt && !is_squeezed,
     };
     if is_line {
-        let mut chain = to_device * bez_path(&dashed);
+        let mut chain = to_device * bez_path(&dashed()?);
         if style.linecap() == LineCap::Butt {
             chain = without_dots(&chain);
         }
         return Some(Stroked::Lines(flatten::edges(&chain)));
     }
     if !is_squeezed {
-        let elements = elements(&(to_device * bez_path(&dashed)));
-        // The cast saturates, and the crate has an end of widths of its own.
-        let style = crates_style(style, width as u32);
+        let elements = elements(&(to_device * bez_path(&pixels)));
+        // The casts saturate, and the crate has an end of widths of its own.
+        let bits = |length: f64| (length * 256.0).round();
+        let dashes: Vec<u32> = lengths.unwrap_or_default().iter().map(|&length| bits(length) as u32).collect();
+        let style = crates_style(style, width as u32).dashes(&dashes).phase(bits(offset) as i32);
         return Some(Stroked::Contours(contours(&Stroke::new(Path::new(&elements), style))));
     }
     // Dashes are applied already.
     stroke.dash = None;
-    let outline = dashed.stroke(&stroke, RESOLUTION_SCALE)?;
+    let outline = dashed()?.stroke(&stroke, RESOLUTION_SCALE)?;
     Some(Stroked::Outline(to_device * bez_path(&outline)))
 }
 

@@ -17,6 +17,7 @@ use crate::{
     },
     contours::{Contours, next_index},
     limits::SUBPIXEL_BITS,
+    outline::{self, FinePoint},
 };
 
 /// The longest edge that is not cut, in 2^-16 pixel.
@@ -28,12 +29,17 @@ const BEYOND: i64 = (3 * (TILE as i64)) << FINE_BITS;
 /// From 1/256 pixel to 2^-16.
 const FINER: u32 = FINE_BITS - SUBPIXEL_BITS;
 
+/// From 1/4096 pixel to 2^-16.
+const FROM_FINE: u32 = 4;
+
 /// Vertices anywhere, in 2^-16 pixel.
 #[derive(Clone, Copy)]
 pub(super) enum Vertices<'a> {
     Contours(Contours<'a>),
     /// One contour.
     Ring(&'a [(i64, i64)]),
+    /// In 1/4096 pixel.
+    Outline(&'a dyn outline::Vertices),
 }
 
 impl Vertices<'_> {
@@ -44,6 +50,10 @@ impl Vertices<'_> {
                 (i64::from(vertex.x.to_bits()) << FINER, i64::from(vertex.y.to_bits()) << FINER)
             }
             Self::Ring(ring) => ring.get(vertex as usize).copied().unwrap_or((0, 0)),
+            Self::Outline(outline) => {
+                let FinePoint { x, y } = outline.vertex(contour, vertex);
+                (i64::from(x) << FROM_FINE, i64::from(y) << FROM_FINE)
+            }
         }
     }
 
@@ -51,6 +61,7 @@ impl Vertices<'_> {
         match self {
             Self::Contours(contours) => next_index(contours.contour(contour as usize), vertex, is_forward),
             Self::Ring(ring) => next_index(ring, vertex, is_forward),
+            Self::Outline(outline) => outline.next(contour, vertex, is_forward),
         }
     }
 }
@@ -115,15 +126,16 @@ impl Outline for Far<'_> {
         match self.vertices {
             Vertices::Contours(contours) => u32::try_from(contours.len()).unwrap_or(u32::MAX),
             Vertices::Ring(_) => 1,
+            Vertices::Outline(outline) => outline.contours(),
         }
     }
 
     fn first(&self, contour: u32) -> Option<u32> {
-        let is_empty = match self.vertices {
-            Vertices::Contours(contours) => contours.contour(contour as usize).is_empty(),
-            Vertices::Ring(ring) => ring.is_empty(),
-        };
-        (!is_empty).then_some(0)
+        match self.vertices {
+            Vertices::Contours(contours) => (!contours.contour(contour as usize).is_empty()).then_some(0),
+            Vertices::Ring(ring) => (!ring.is_empty()).then_some(0),
+            Vertices::Outline(outline) => outline.first(contour).map(|index| index << 2),
+        }
     }
 
     fn next(&self, contour: u32, index: u32, is_forward: bool) -> u32 {

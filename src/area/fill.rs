@@ -30,12 +30,20 @@ use crate::area::{
 pub(crate) struct Inside {
     /// Of the winding: any bit of it, or the lowest.
     pub(crate) mask: i32,
+    /// Bits that count as their opposites.
+    pub(crate) flip: i32,
+    /// Only what is above.
+    pub(crate) least: i32,
 }
 
 impl Inside {
+    pub(crate) const fn with_mask(mask: i32) -> Self {
+        Self { mask, flip: 0, least: i32::MIN }
+    }
+
     #[inline]
     pub(super) fn of(self, winding: i32) -> i32 {
-        i32::from(winding & self.mask != 0)
+        i32::from((winding ^ self.flip) & self.mask != 0 && winding > self.least)
     }
 
     /// The weight of what changes a winding.
@@ -103,7 +111,7 @@ impl Fill<'_, '_> {
     /// Whether the row consists of pairs of edges that share no column, with nothing inside between two pairs.
     #[inline]
     fn has_pairs(&self) -> bool {
-        let (mut winding, mut next_column) = (0, 0);
+        let (mut winding, mut next_column) = (0_i32, 0);
         for at in 0..self.table.active {
             let place = self.table.place(at);
             let Some(chain) = self.table.slots.get(place.slot as usize) else { return false };
@@ -111,14 +119,13 @@ impl Fill<'_, '_> {
             if !chain.is_single || low < next_column || high - low >= pair::COLUMNS_AT_MOST {
                 return false;
             }
-            let is_first = at & 1 == 0;
-            winding = if is_first { chain.direction } else { winding + chain.direction };
-            if !is_first && self.inside.of(winding.into()) != 0 {
+            winding += i32::from(chain.direction);
+            if self.inside.of(winding) != i32::from(at & 1 == 0) {
                 return false;
             }
             next_column = high + 1;
         }
-        self.table.active & 1 == 0 && next_column <= self.width
+        self.table.active & 1 == 0 && next_column <= self.width && self.inside.of(0) == 0
     }
 
     fn send_pairs(&mut self, sink: &mut dyn AreaSink) -> bool {

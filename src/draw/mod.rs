@@ -3,6 +3,7 @@
 mod antialiased;
 mod blended;
 mod bounded;
+mod connect;
 mod filled;
 
 pub use antialiased::{AntiAlias, AntiAliased};

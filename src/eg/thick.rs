@@ -3,7 +3,6 @@
 use core::{convert::Infallible, ops::Range};
 
 use embedded_graphics_core::{
-    Drawable,
     draw_target::DrawTarget,
     geometry::{Point, Size},
     primitives::Rectangle,
@@ -11,7 +10,7 @@ use embedded_graphics_core::{
 
 use heapless::Vec;
 
-use crate::{Blend, Mix, PixelRect, Polygon, Triangle, Vertex, draw::Fill};
+use crate::{Blend, BlockSink, Mix, PixelRect, Polygon, Vertex, primitive::Quadrilateral};
 
 use super::{
     Blended,
@@ -56,19 +55,32 @@ pub(super) fn draw_thick<D: DrawTarget>(
     colour: D::Color,
     target: &mut D,
 ) -> Result<(), D::Error> {
+    let clip = PixelRect::from(target.bounding_box());
     each_area(
         points,
         by,
         sides,
         |_, _| true,
         |corners| {
-            let Some((&first, rest)) = corners.split_first() else { return Ok(()) };
-            rest.windows(2).try_for_each(|pair| match *pair {
-                [second, third] => Triangle::from_vertices([first, second, third]).filled(colour).draw(target),
-                _ => Ok(()),
-            })
+            let &[a, b, c, ref rest @ ..] = corners else { return Ok(()) };
+            let area = Quadrilateral([a, b, c, rest.first().copied().unwrap_or(c)]);
+            area.blocks(&clip, &mut Solid { target: &mut *target, colour })
         },
     )
+}
+
+/// Blocks in one colour.
+struct Solid<'t, D: DrawTarget> {
+    target: &'t mut D,
+    colour: D::Color,
+}
+
+impl<D: DrawTarget> BlockSink for Solid<'_, D> {
+    type Error = D::Error;
+
+    fn block(&mut self, rows: Range<i32>, columns: Range<i32>) -> Result<(), D::Error> {
+        self.target.fill_solid(&Rectangle::from(PixelRect { rows, columns }), self.colour)
+    }
 }
 
 /// The stroke along points, each pixel once.

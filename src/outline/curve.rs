@@ -19,7 +19,7 @@
 
 use crate::{
     Angle,
-    outline::{FinePoint, Vector, clamp_fine, shift_half_even},
+    outline::{FinePoint, FineRect, Vector, clamp_fine, shift_half_even},
 };
 
 /// How far a chord may be from the curve, in 1/4096 pixel.
@@ -67,35 +67,55 @@ const fn log_chords(deviation: u64) -> u32 {
     log
 }
 
+/// 0 where there is none.
+const fn quotient(value: i128, divisor: i128) -> i128 {
+    match value.checked_div(divisor) {
+        Some(quotient) => quotient,
+        None => 0,
+    }
+}
+
+/// At least the longer half axis of an ellipse, in the unit of its axes.
+const fn longest_axis(u: Vector, v: Vector) -> u64 {
+    // Half the sum and the difference of these are the half axes.
+    let (turning, mirroring) = (Vector::new(u.x + v.y, u.y - v.x), Vector::new(u.x - v.y, u.y + v.x));
+    (turning.length_at_most() + mirroring.length_at_most()) >> 1
+}
+
 impl Curve {
     /// A quadratic Bézier curve.
-    pub fn quadratic(from: FinePoint, control: FinePoint, to: FinePoint) -> Self {
+    pub const fn quadratic(from: FinePoint, control: FinePoint, to: FinePoint) -> Self {
         let (first, last) = (Vector::between(from, control), Vector::between(control, to));
         let second = last.minus(first);
-        Self::polynomial(from, to, [first.times(2), second, Vector::default()], second.length_at_most().div_ceil(4))
+        let coefficients = [first.times(2), second, Vector::new(0, 0)];
+        Self::polynomial(from, to, coefficients, second.length_at_most().div_ceil(4))
     }
 
     /// A cubic Bézier curve.
-    pub fn cubic(from: FinePoint, control1: FinePoint, control2: FinePoint, to: FinePoint) -> Self {
-        let [a, b, c] = [(from, control1), (control1, control2), (control2, to)].map(|(p, q)| Vector::between(p, q));
+    pub const fn cubic(from: FinePoint, control1: FinePoint, control2: FinePoint, to: FinePoint) -> Self {
+        let a = Vector::between(from, control1);
+        let b = Vector::between(control1, control2);
+        let c = Vector::between(control2, to);
         let (second, second_last) = (b.minus(a), c.minus(b));
-        let greatest = second.length_at_most().max(second_last.length_at_most());
+        let (greatest, other) = (second.length_at_most(), second_last.length_at_most());
+        let greatest = if greatest > other { greatest } else { other };
         let coefficients = [a.times(3), second.times(3), second_last.minus(second)];
         Self::polynomial(from, to, coefficients, (3 * greatest).div_ceil(4))
     }
 
-    fn polynomial(from: FinePoint, to: FinePoint, [c1, c2, c3]: [Vector; 3], deviation: u64) -> Self {
+    const fn polynomial(from: FinePoint, to: FinePoint, [c1, c2, c3]: [Vector; 3], deviation: u64) -> Self {
         // Values at the points, times 2^(3 log), and six bits more for moving them out, fit 63 bits. No point is
         // further from the start than this.
         let size = c1.length_at_most() + c2.length_at_most() + c3.length_at_most() + 1;
         let bits = u64::BITS - size.leading_zeros();
-        let log_chords = log_chords(deviation).min(62_u32.saturating_sub(6 + bits) / 3);
+        let (wanted, most) = (log_chords(deviation), 62_u32.saturating_sub(6 + bits) / 3);
+        let log_chords = if wanted < most { wanted } else { most };
         Self { from, to, kind: Kind::Polynomial { c1, c2, c3, log_chords } }
     }
 
     /// An arc of the ellipse `center + u cos + v sin`, over `sweep` 2^-32 turns from `start`; `u` and `v` have
     /// `AXIS_BITS` more fraction bits than points. The ends are points that have been made elsewhere.
-    pub(crate) fn arc(
+    pub(crate) const fn arc(
         from: FinePoint,
         to: FinePoint,
         center: FinePoint,
@@ -103,26 +123,35 @@ impl Curve {
         start: Angle,
         sweep: i64,
     ) -> Self {
-        // Half the sum and the difference of these are the half axes.
-        let (turning, mirroring) = (Vector::new(u.x + v.y, u.y - v.x), Vector::new(u.x - v.y, u.y + v.x));
-        let longest = (turning.length_at_most() + mirroring.length_at_most()) >> (AXIS_BITS + 1);
         // Chords of the angle a with r a^2 / 8 <= tolerance: a turn of 2 pi over sqrt(8 tolerance / r). 1609 is 256 *
         // 2 pi.
-        let root = (longest << 11).min(1 << 60).isqrt() + 1;
-        let sweep = sweep.clamp(-(1 << 32), 1 << 32);
-        let chords = ((u128::from(sweep.unsigned_abs()) * u128::from(root) * 1609) >> 48) + 1;
-        let chords = u32::try_from(chords).unwrap_or(MOST_CHORDS).min(MOST_CHORDS);
+        let longest = (longest_axis(u, v) >> AXIS_BITS) << 11;
+        let root = (if longest < 1 << 60 { longest } else { 1 << 60 }).isqrt() + 1;
+        let sweep = if sweep > 1 << 32 {
+            1 << 32
+        } else if sweep < -(1 << 32) {
+            -(1 << 32)
+        } else {
+            sweep
+        };
+        let chords = ((sweep.unsigned_abs() as u128 * root as u128 * 1609) >> 48) + 1;
+        #[allow(clippy::cast_possible_truncation, reason = "compared")]
+        let chords = if chords < MOST_CHORDS as u128 { chords as u32 } else { MOST_CHORDS };
         let chords = if sweep.unsigned_abs() >= 1 << 30 { chords.next_multiple_of(4) } else { chords };
         // 1 + a^2 / 8 * 11 / 16, in 2^-32: (2 pi)^2 * 11 / 128 is 3.392672, the square in 2^-64 turns.
-        let step = sweep.unsigned_abs() / u64::from(chords.max(1));
-        let grow = |axis: i64| {
-            let square = (i128::from(step) * i128::from(step)) >> 32;
-            let more = (i128::from(axis) * square * 13_896) >> (32 + 12);
+        const fn grow(axis: i64, step: u64) -> i64 {
+            let square = (step as i128 * step as i128) >> 32;
+            let more = (axis as i128 * square * 13_896) >> (32 + 12);
             #[allow(clippy::cast_possible_truncation, reason = "less than four times an axis, of at most 2^41")]
             let grown = axis + more as i64;
             grown
+        }
+        let step = match sweep.unsigned_abs().checked_div(chords as u64) {
+            Some(step) => step,
+            None => 0,
         };
-        let [u, v] = [u, v].map(|axis| Vector::new(grow(axis.x), grow(axis.y)));
+        let u = Vector::new(grow(u.x, step), grow(u.y, step));
+        let v = Vector::new(grow(v.x, step), grow(v.y, step));
         Self { from, to, kind: Kind::Ellipse { center, u, v, start, sweep, chords, is_reversed: false } }
     }
 
@@ -184,6 +213,15 @@ impl Curve {
         CurvePoints { curve: *self, walk, left: self.chords().saturating_sub(index) }
     }
 
+    /// The point after so many chords.
+    #[inline]
+    pub(crate) fn point(&self, index: u32) -> FinePoint {
+        match index.checked_sub(1) {
+            None => self.from,
+            Some(before) => self.points_after(before).next().unwrap_or(self.to),
+        }
+    }
+
     /// The same in about four times as many chords, as far as numbers allow.
     #[must_use]
     pub(crate) fn refined(&self) -> Self {
@@ -200,26 +238,84 @@ impl Curve {
         refined
     }
 
-    /// The rows, in 1/4096 pixel, that none of its points is outside of.
-    pub fn rows(&self) -> core::ops::RangeInclusive<i32> {
-        let (low, high) = (self.from.y.min(self.to.y), self.from.y.max(self.to.y));
-        let (least, most) = match self.kind {
+    /// A rectangle that none of its points is outside of.
+    pub const fn hull(&self) -> FineRect {
+        let Self { from, to, kind } = *self;
+        let mut hull = FineRect::EMPTY;
+        hull.add(from);
+        hull.add(to);
+        match kind {
             // Control points, and what points are moved out by: less than the tolerance, but where curves are huge.
             Kind::Polynomial { c1, c2, c3, log_chords } => {
-                let from = i64::from(self.from.y);
-                let first = from + c1.y / 3;
-                let second = from + (2 * c1.y + c2.y) / 3;
-                let quadratic = from + c1.y / 2;
-                let moved = ((c2.y.abs() + 3 * c3.y.abs()) >> (2 * log_chords)) + 2;
-                let controls = if c3.y == 0 { [quadratic, quadratic] } else { [first, second] };
-                (controls[0].min(controls[1]) - moved, controls[0].max(controls[1]) + moved)
+                let moved = c2.plus(c3.times(3));
+                let moved =
+                    Vector::new((moved.x.abs() >> (2 * log_chords)) + 2, (moved.y.abs() >> (2 * log_chords)) + 2);
+                let (first, second) =
+                    if c3.is_zero() { (c1.over(2), c1.over(2)) } else { (c1.over(3), c1.times(2).plus(c2).over(3)) };
+                hull.add(first.minus(moved).from(from));
+                hull.add(first.plus(moved).from(from));
+                hull.add(second.minus(moved).from(from));
+                hull.add(second.plus(moved).from(from));
             }
             Kind::Ellipse { center, u, v, .. } => {
-                let reach = (Vector::new(u.y, v.y).length_at_most() >> AXIS_BITS).cast_signed() + 2;
-                (i64::from(center.y) - reach, i64::from(center.y) + reach)
+                let x = (Vector::new(u.x, v.x).length_at_most() >> AXIS_BITS).cast_signed() + 2;
+                let y = (Vector::new(u.y, v.y).length_at_most() >> AXIS_BITS).cast_signed() + 2;
+                hull.add(Vector::new(x, y).from(center));
+                hull.add(Vector::new(-x, -y).from(center));
             }
-        };
-        low.min(clamp_fine(least))..=high.max(clamp_fine(most))
+        }
+        hull
+    }
+
+    /// No less than its length, in 1/4096 pixel: that of the lines between its control points, or of the circle around it.
+    pub(crate) const fn length_at_most(&self) -> u64 {
+        match self.kind {
+            Kind::Polynomial { c1, c2, c3, .. } => {
+                c1.length_at_most() + 2 * c2.length_at_most() + 3 * c3.length_at_most()
+            }
+            Kind::Ellipse { u, v, .. } => 7 * ((longest_axis(u, v) >> AXIS_BITS) + 1),
+        }
+    }
+
+    /// Into how many parts that go up or down it falls at most.
+    pub(crate) const fn parts(&self) -> u32 {
+        match self.kind {
+            Kind::Polynomial { c3, .. } if c3.is_zero() => 2,
+            Kind::Polynomial { .. } | Kind::Ellipse { .. } => 3,
+        }
+    }
+
+    /// A radius that it is nowhere tighter than, in 1/4096 pixel: `|B'|^3 / |B' x B''|` is at least `|B'|^2 / |B''|`, and
+    /// `B'` along the chord at least the least of its control points.
+    pub(crate) const fn tightest(&self) -> i64 {
+        match self.kind {
+            Kind::Polynomial { c1, c2, c3, .. } => {
+                let chord = Vector::between(self.from, self.to);
+                let middle = c1.plus(c2);
+                let last = c1.plus(c2.times(2)).plus(c3.times(3));
+                let (first, middle, last) = (c1.dot(chord), middle.dot(chord), last.dot(chord));
+                let least = if first < middle { first } else { middle };
+                let least = if least < last { least } else { last };
+                let length = chord.dot(chord).unsigned_abs().isqrt().cast_signed() + 1;
+                let speed = if least > 0 { quotient(least, length) } else { 0 };
+                let (start, end) = (c2.length_at_most(), c2.plus(c3.times(3)).length_at_most());
+                let turn = 2 * (if start > end { start } else { end }) as i128 + 1;
+                #[allow(
+                    clippy::cast_possible_truncation,
+                    reason = "a square of 2^37 at most, over one or more; cut off"
+                )]
+                let radius = quotient(speed * speed, turn) as i64;
+                radius
+            }
+            Kind::Ellipse { u, v, .. } => {
+                let longer = (longest_axis(u, v) as i128) + 1;
+                let product = u.x as i128 * v.y as i128 - u.y as i128 * v.x as i128;
+                let shorter = quotient(product.abs(), longer);
+                #[allow(clippy::cast_possible_truncation, reason = "less than an axis")]
+                let radius = quotient(shorter * shorter, longer) as i64;
+                radius >> AXIS_BITS
+            }
+        }
     }
 
     /// The direction that it starts in; none where all its control points are the same.

@@ -112,6 +112,14 @@ pub(crate) const fn shift_half_even(value: i64, bits: u32) -> i64 {
     floor + (rest + (floor & 1) > half) as i64
 }
 
+/// The same of more bits.
+#[inline]
+pub(crate) const fn shift_half_even_wide(value: i128, bits: u32) -> i128 {
+    let floor = value >> bits;
+    let rest = value - (floor << bits);
+    floor + (rest + (floor & 1) > 1 << (bits - 1)) as i128
+}
+
 /// `value / divisor` to the nearest, half way to the even. 0 for no divisor.
 #[inline]
 pub(crate) const fn divide_half_even(value: i128, divisor: i128) -> i128 {
@@ -154,6 +162,16 @@ impl Vector {
     #[inline]
     pub(crate) const fn times(self, factor: i64) -> Self {
         Self { x: self.x * factor, y: self.y * factor }
+    }
+
+    #[inline]
+    pub(crate) const fn over(self, divisor: i64) -> Self {
+        Self { x: self.x / divisor, y: self.y / divisor }
+    }
+
+    #[inline]
+    pub(crate) const fn dot(self, other: Self) -> i128 {
+        self.x as i128 * other.x as i128 + self.y as i128 * other.y as i128
     }
 
     /// A quarter of a turn clockwise.

@@ -78,9 +78,9 @@ impl Element {
 }
 
 impl ArcTo {
-    pub(crate) fn curve(&self, from: FinePoint, transform: &Transform) -> Curve {
+    pub(crate) const fn curve(&self, from: FinePoint, transform: &Transform) -> Curve {
         let axes = transform.axes(self.radii, self.rotation);
-        let sweep = i64::from(self.sweep.to_bits());
+        let sweep = self.sweep.to_bits() as i64;
         let sweep = if self.is_clockwise { sweep } else { -sweep };
         Curve::arc(from, transform.apply(self.to), transform.apply(self.center), axes, self.start, sweep)
     }

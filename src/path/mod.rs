@@ -10,7 +10,7 @@ pub use element::{ArcTo, Element};
 pub use parse::{PathError, SvgElements};
 pub use transform::Transform;
 
-use crate::outline::{Curve, CurveSink, Curves, FinePoint, Outline, OutlineSink};
+use crate::outline::{Curve, Curves, FinePoint, FineRect, Outline, RowCounts, Step, StrokeReach, Vertices};
 
 /// Lines, Bézier curves and elliptical arcs, borrowed: from a constant, as a rule.
 ///
@@ -77,89 +77,204 @@ impl<'a> Path<'a> {
     }
 }
 
-impl Curves for Path<'_> {
-    fn trace<S: CurveSink>(&self, sink: &mut S) {
-        let mut pen = Pen { sink, start: None, at: FinePoint::default(), is_open: false };
-        for element in self.elements {
-            let Self { transform, .. } = self;
-            let place = |point: FinePoint| transform.apply(point);
-            match *element {
-                Element::Move(to) => pen.lift(place(to)),
-                Element::Line(to) => pen.draw(|sink, _| {
-                    let to = place(to);
-                    sink.line(to);
-                    to
-                }),
-                Element::Quadratic(control, to) => {
-                    pen.draw_curve(|from| Curve::quadratic(from, place(control), place(to)));
-                }
-                Element::Cubic(control1, control2, to) => {
-                    pen.draw_curve(|from| Curve::cubic(from, place(control1), place(control2), place(to)));
-                }
-                Element::Arc(arc) => pen.draw_curve(|from| arc.curve(from, transform)),
-                Element::Close => pen.close(),
-            }
+impl Path<'_> {
+    const fn element(&self, index: u32) -> Option<&Element> {
+        if (index as usize) < self.elements.len() {
+            #[allow(clippy::indexing_slicing, reason = "compared on the line above")]
+            let element = &self.elements[index as usize];
+            Some(element)
+        } else {
+            None
         }
-        pen.finish();
+    }
+
+    /// Where the subpath begins that an element is of: what precedes the first move has none.
+    const fn start(&self, mut index: u32) -> Option<FinePoint> {
+        loop {
+            if let Some(Element::Move(to)) = self.element(index) {
+                return Some(self.transform.apply(*to));
+            }
+            if index == 0 {
+                return None;
+            }
+            index -= 1;
+        }
+    }
+
+    const fn end(&self, index: u32) -> FinePoint {
+        let to = match self.element(index) {
+            Some(Element::Move(to) | Element::Line(to) | Element::Quadratic(_, to) | Element::Cubic(_, _, to)) => *to,
+            Some(Element::Arc(arc)) => arc.to,
+            Some(Element::Close) | None => match self.start(index) {
+                Some(start) => return start,
+                None => FinePoint::from_bits(0, 0),
+            },
+        };
+        self.transform.apply(to)
+    }
+
+    const fn count(&self) -> u32 {
+        #[allow(clippy::cast_possible_truncation, reason = "compared")]
+        let count = if self.elements.len() < u32::MAX as usize { self.elements.len() as u32 } else { u32::MAX };
+        count
+    }
+
+    const fn step_at(&self, index: u32) -> Step {
+        let transform = &self.transform;
+        let from = if index > 0 { self.end(index - 1) } else { FinePoint::from_bits(0, 0) };
+        match self.element(index) {
+            None => Step::Move(FinePoint::from_bits(0, 0)),
+            Some(Element::Move(to)) => Step::Move(transform.apply(*to)),
+            Some(Element::Line(to)) => Step::Line(from, transform.apply(*to)),
+            Some(Element::Quadratic(control, to)) => {
+                Step::Curve(Curve::quadratic(from, transform.apply(*control), transform.apply(*to)))
+            }
+            Some(Element::Cubic(control1, control2, to)) => Step::Curve(Curve::cubic(
+                from,
+                transform.apply(*control1),
+                transform.apply(*control2),
+                transform.apply(*to),
+            )),
+            Some(Element::Arc(arc)) => Step::Curve(arc.curve(from, transform)),
+            Some(Element::Close) => match self.start(index) {
+                Some(start) => Step::Close(from, start),
+                // Before the first move.
+                None => Step::Line(from, from),
+            },
+        }
+    }
+
+    const fn hull(&self) -> FineRect {
+        let mut hull = FineRect::EMPTY;
+        let mut index = 0;
+        while index < self.count() {
+            match self.step_at(index) {
+                Step::Curve(curve) => {
+                    let FineRect { low, high } = curve.hull();
+                    hull.add(low);
+                    hull.add(high);
+                }
+                step => hull.add(step.end()),
+            }
+            index += 1;
+        }
+        hull
+    }
+
+    /// How much scratch the anti-aliased inside needs: as many chains of edges as are in a row of pixels at most, or a few
+    /// more. Meant for constants; takes a pass over the elements.
+    pub const fn coverage_edges(&self) -> usize {
+        self.chains_at_most(None)
+    }
+
+    /// The same of a stroke.
+    ///
+    /// A stroke has two sides, each with the chains of the path. On the inner side of a corner both may overlap: two
+    /// chains more. The inner side of a curve has them between any two chords, where it is tighter than the stroke.
+    pub(crate) const fn chains_at_most(&self, stroke: Option<StrokeReach>) -> usize {
+        let (sides, corner, radius, reach) = match stroke {
+            Some(StrokeReach { radius, most, .. }) => (2, 2, radius, most),
+            None => (1, 0, 0, 0),
+        };
+        // Dashed curves have more chords.
+        let finer = match stroke {
+            Some(StrokeReach { dashes: Some(_), .. }) => 4,
+            _ => 1,
+        };
+        let mut counts = RowCounts::new(self.hull().grown(reach));
+        // The chain so far.
+        let (mut top, mut bottom, mut direction) = (0, 0, 0);
+        let mut index = 0;
+        while index < self.count() {
+            let step = self.step_at(index);
+            let (from, to) = match step {
+                Step::Move(to) => (to, to),
+                Step::Line(from, to) | Step::Close(from, to) => (from, to),
+                Step::Curve(curve) => (curve.from(), curve.to()),
+            };
+            if let Some(stroke) = &stroke {
+                // A dash has two sides.
+                let FineRect { low, high } = step.hull();
+                let dashes = 2 * stroke.dashes_in(&step);
+                counts.add(low.y.saturating_sub(reach), high.y.saturating_add(reach), dashes);
+            }
+            if let Step::Curve(curve) = step {
+                let FineRect { low, high } = curve.hull();
+                let spikes = if radius > 0 && curve.tightest() <= 2 * radius { 2 * finer * curve.chords() } else { 0 };
+                let chains = sides * curve.parts() + spikes + 2 * corner;
+                counts.add(low.y.saturating_sub(reach), high.y.saturating_add(reach), chains);
+            } else {
+                let goes = if from.y < to.y {
+                    1
+                } else if from.y > to.y {
+                    -1
+                } else {
+                    0
+                };
+                let (low, high) = if from.y < to.y { (from.y, to.y) } else { (to.y, from.y) };
+                let goes_on = goes == direction && goes != 0 && !matches!(step, Step::Move(_));
+                if goes_on {
+                    top = if low < top { low } else { top };
+                    bottom = if high > bottom { high } else { bottom };
+                } else if goes != 0 || stroke.is_some() {
+                    if direction != 0 {
+                        counts.add(top.saturating_sub(reach), bottom.saturating_add(reach), sides);
+                    }
+                    (top, bottom, direction) = (low, high, goes);
+                    if goes == 0 {
+                        counts.add(low.saturating_sub(reach), high.saturating_add(reach), sides);
+                    }
+                }
+                counts.add(to.y.saturating_sub(reach), to.y.saturating_add(reach), corner);
+            }
+            let is_open = match self.element(index + 1) {
+                Some(Element::Move(_)) | None => true,
+                Some(_) => false,
+            };
+            // Filled, an open subpath is closed; a curve ends what was before it.
+            if (is_open || matches!(step, Step::Curve(_) | Step::Close(..))) && direction != 0 {
+                counts.add(top.saturating_sub(reach), bottom.saturating_add(reach), sides);
+                direction = 0;
+            }
+            if is_open
+                && stroke.is_none()
+                && let Some(start) = self.start(index)
+            {
+                let (low, high) = if start.y < to.y { (start.y, to.y) } else { (to.y, start.y) };
+                counts.add(low, high, 1);
+            }
+            index += 1;
+        }
+        counts.most()
+    }
+}
+
+impl Curves for Path<'_> {
+    fn steps(&self) -> u32 {
+        // What is drawn begins with the first move.
+        let is_move = |element: &Element| matches!(element, Element::Move(_));
+        if self.elements.iter().any(is_move) { self.count() } else { 0 }
+    }
+
+    fn step(&self, index: u32) -> Step {
+        self.step_at(index)
+    }
+
+    fn chains_at_most(&self, stroke: Option<StrokeReach>) -> Option<usize> {
+        Some(Path::chains_at_most(self, stroke))
     }
 }
 
 impl Outline for Path<'_> {
-    fn emit<S: OutlineSink>(&self, sink: &mut S) {
-        self.outline().emit(sink);
-    }
-}
-
-/// Where the path is drawn from.
-struct Pen<'s, S> {
-    sink: &'s mut S,
-    /// Of the subpath; none before the first move.
-    start: Option<FinePoint>,
-    at: FinePoint,
-    /// The sink has been told of the subpath.
-    is_open: bool,
-}
-
-impl<S: CurveSink> Pen<'_, S> {
-    fn lift(&mut self, to: FinePoint) {
-        self.finish();
-        self.start = Some(to);
-        self.at = to;
+    fn with_vertices<R>(&self, with: impl FnOnce(&dyn Vertices) -> R) -> R {
+        self.outline().with_vertices(with)
     }
 
-    fn draw(&mut self, element: impl FnOnce(&mut S, FinePoint) -> FinePoint) {
-        if self.start.is_none() {
-            return;
-        }
-        if !self.is_open {
-            self.sink.start(self.at);
-            self.is_open = true;
-        }
-        self.at = element(self.sink, self.at);
+    fn extent(&self) -> FineRect {
+        self.hull()
     }
 
-    fn draw_curve(&mut self, curve: impl FnOnce(FinePoint) -> Curve) {
-        self.draw(|sink, from| {
-            let curve = curve(from);
-            sink.curve(&curve);
-            curve.to()
-        });
-    }
-
-    fn close(&mut self) {
-        let Some(start) = self.start else { return };
-        if !self.is_open {
-            self.sink.start(self.at);
-        }
-        self.sink.end(true);
-        self.is_open = false;
-        self.at = start;
-    }
-
-    fn finish(&mut self) {
-        if self.is_open {
-            self.sink.end(false);
-            self.is_open = false;
-        }
+    fn chains_at_most(&self) -> Option<usize> {
+        Some(self.coverage_edges())
     }
 }

@@ -96,23 +96,31 @@ impl Transform {
     }
 
     /// The half axes of an ellipse, turned and then transformed, with eight fraction bits more than points.
-    pub(crate) fn axes(&self, radii: FinePoint, rotation: Angle) -> [Vector; 2] {
+    pub(crate) const fn axes(&self, radii: FinePoint, rotation: Angle) -> [Vector; 2] {
         let (sin, cos) = rotation.sin_cos();
-        let axis = |radius: i32, along: i32, across: i32| {
-            let radius = i64::from(radius.unsigned_abs());
-            // In 2^-20 pixel: a radius of 12 bits times a sine of 30.
-            let (x, y) =
-                (shift_half_even(radius * i64::from(along), 22), shift_half_even(radius * i64::from(across), 22));
-            let row = |a: i32, b: i32| {
-                let sum = i128::from(a) * i128::from(x) + i128::from(b) * i128::from(y);
-                // What is larger than any coordinate is cut off.
-                #[allow(clippy::cast_possible_truncation, reason = "clamped")]
-                let row = (sum >> FACTOR_BITS).clamp(-(1 << 40), 1 << 40) as i64;
-                row
+        [self.axis(radii.x, cos, sin), self.axis(radii.y, sin.saturating_neg(), cos)]
+    }
+
+    const fn axis(&self, radius: i32, along: i32, across: i32) -> Vector {
+        const fn row(a: i32, x: i64, b: i32, y: i64) -> i64 {
+            // What is larger than any coordinate is cut off.
+            const MOST: i128 = 1 << 40;
+            let sum = (a as i128 * x as i128 + b as i128 * y as i128) >> FACTOR_BITS;
+            #[allow(clippy::cast_possible_truncation, reason = "compared")]
+            let row = if sum > MOST {
+                MOST as i64
+            } else if sum < -MOST {
+                -MOST as i64
+            } else {
+                sum as i64
             };
-            Vector::new(row(self.xx, self.xy), row(self.yx, self.yy))
-        };
-        [axis(radii.x, cos, sin), axis(radii.y, sin.saturating_neg(), cos)]
+            row
+        }
+        let radius = radius.unsigned_abs() as i64;
+        // In 2^-20 pixel: a radius of 12 bits times a sine of 30.
+        let x = shift_half_even(radius * along as i64, 22);
+        let y = shift_half_even(radius * across as i64, 22);
+        Vector::new(row(self.xx, x, self.xy, y), row(self.yx, x, self.yy, y))
     }
 }
 

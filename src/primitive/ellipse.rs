@@ -16,7 +16,7 @@ use fixed::types::I24F8;
 
 use crate::{
     Angle, PixelRect, Vertex,
-    outline::{Curve, CurveSink, Curves, FinePoint, Vector, shift_half_even},
+    outline::{Curve, Curves, FinePoint, Step, Vector, shift_half_even},
     path::Transform,
     primitive::rows::{TURN, centre_of, centres, root_below, send_rows, shape_by_rows},
     span::RowSink,
@@ -167,16 +167,19 @@ impl Ellipse {
 shape_by_rows!(Ellipse);
 
 impl Curves for Ellipse {
-    fn trace<S: CurveSink>(&self, sink: &mut S) {
-        let (radii, center) = (self.fine_radii(), FinePoint::from_vertex(self.center));
-        if radii.x == 0 {
-            return;
-        }
-        let axes = Transform::IDENTITY.axes(radii, self.rotation);
+    fn steps(&self) -> u32 {
+        if self.fine_radii().x == 0 { 0 } else { 3 }
+    }
+
+    fn step(&self, index: u32) -> Step {
+        let center = FinePoint::from_vertex(self.center);
+        let axes = Transform::IDENTITY.axes(self.fine_radii(), self.rotation);
         let [u, _] = axes;
         let right = Vector::new(shift_half_even(u.x, 8), shift_half_even(u.y, 8)).from(center);
-        sink.start(right);
-        sink.curve(&Curve::arc(right, right, center, axes, Angle::ZERO, TURN));
-        sink.end(true);
+        match index {
+            0 => Step::Move(right),
+            1 => Step::Curve(Curve::arc(right, right, center, axes, Angle::ZERO, TURN)),
+            _ => Step::Close(right, right),
+        }
     }
 }

@@ -5,6 +5,7 @@
 
 mod circle_outline;
 mod ellipse;
+mod quadrilateral;
 mod rectangle;
 mod ring;
 mod rounded_rectangle;
@@ -14,6 +15,8 @@ mod tapered;
 
 pub use circle_outline::CircleOutline;
 pub use ellipse::Ellipse;
+#[cfg(feature = "embedded-graphics")]
+pub(crate) use quadrilateral::Quadrilateral;
 pub use rectangle::Rectangle;
 pub use ring::Ring;
 pub use rounded_rectangle::RoundedRectangle;

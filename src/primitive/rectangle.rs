@@ -2,8 +2,8 @@
 
 use crate::{
     PixelRect, Vertex,
-    outline::{CurveSink, Curves, FinePoint},
-    primitive::rows::{centres, send_rows, shape_by_rows},
+    outline::{Curves, FinePoint, Step},
+    primitive::rows::{centres, polygon_step, send_rows, shape_by_rows},
     span::RowSink,
 };
 
@@ -61,12 +61,13 @@ impl Rectangle {
 shape_by_rows!(Rectangle);
 
 impl Curves for Rectangle {
-    fn trace<S: CurveSink>(&self, sink: &mut S) {
+    fn steps(&self) -> u32 {
+        5
+    }
+
+    fn step(&self, index: u32) -> Step {
         let (low, high) = (FinePoint::from_vertex(self.low), FinePoint::from_vertex(self.high));
-        sink.start(low);
-        sink.line(FinePoint::from_bits(high.x, low.y));
-        sink.line(high);
-        sink.line(FinePoint::from_bits(low.x, high.y));
-        sink.end(true);
+        let corner = FinePoint::from_bits;
+        polygon_step(&[low, corner(high.x, low.y), high, corner(low.x, high.y)], index)
     }
 }

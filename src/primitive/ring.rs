@@ -6,8 +6,8 @@ use fixed::types::I24F8;
 
 use crate::{
     PixelRect, Vertex,
-    outline::{CurveSink, Curves},
-    primitive::rows::{centre_of, centres, root_below, send_rows, shape_by_rows, trace_circle},
+    outline::{Curves, Step},
+    primitive::rows::{centre_of, centres, circle, root_below, send_rows, shape_by_rows},
     span::RowSink,
 };
 
@@ -85,13 +85,22 @@ impl Ring {
 shape_by_rows!(Ring);
 
 impl Curves for Ring {
-    fn trace<S: CurveSink>(&self, sink: &mut S) {
-        let (outer, inner) = (self.outer.to_bits(), self.inner.to_bits());
-        if outer > 0 && inner < outer {
-            trace_circle(sink, self.center, outer.into(), true);
-            if inner > 0 {
-                trace_circle(sink, self.center, inner.into(), false);
-            }
+    fn steps(&self) -> u32 {
+        match self.inner.to_bits() {
+            inner if self.outer.to_bits() <= inner.max(0) => 0,
+            1.. => 6,
+            _ => 3,
+        }
+    }
+
+    fn step(&self, index: u32) -> Step {
+        let is_outer = index < 3;
+        let radius = if is_outer { self.outer } else { self.inner };
+        let curve = circle(self.center, radius.to_bits().into(), is_outer);
+        match index % 3 {
+            0 => Step::Move(curve.from()),
+            1 => Step::Curve(curve),
+            _ => Step::Close(curve.to(), curve.from()),
         }
     }
 }

@@ -6,7 +6,7 @@ use fixed::types::I24F8;
 
 use crate::{
     Angle, PixelRect, Vertex,
-    outline::{Curve, CurveSink, Curves, FinePoint, Vector},
+    outline::{Curve, Curves, FinePoint, Step, Vector},
     primitive::{
         rectangle::Rectangle,
         rows::{TURN, centre_of, centres, root_below, send_rows, shape_by_rows},
@@ -147,30 +147,40 @@ impl RoundedRectangle {
 shape_by_rows!(RoundedRectangle);
 
 impl Curves for RoundedRectangle {
-    fn trace<S: CurveSink>(&self, sink: &mut S) {
+    /// A move; a corner of two steps, three times with a side behind it; and a close.
+    fn steps(&self) -> u32 {
+        13
+    }
+
+    fn step(&self, index: u32) -> Step {
         let fine = |x: i64, y: i64| FinePoint::clamped(x * 16, y * 16);
-        let mut at: Option<FinePoint> = None;
+        let corners = self.corners();
+        // From (sx, sy) of the ellipse a quarter clockwise.
         let starts = [(-1, 0), (0, -1), (1, 0), (0, 1)];
-        for ((index, corner), (sx, sy)) in (2_u32..).zip(self.corners()).zip(starts) {
-            let Corner { center: (x, y), radii: (rx, ry) } = corner;
-            // From (sx, sy) of the ellipse a quarter clockwise.
+        let corner = |number: u32| {
+            let number = number as usize % 4;
+            let Some((&Corner { center: (x, y), radii: (rx, ry) }, &(sx, sy))) =
+                corners.get(number).zip(starts.get(number))
+            else {
+                return (FinePoint::default(), FinePoint::default(), Step::Move(FinePoint::default()));
+            };
             let (from, to) = (fine(x + sx * rx, y + sy * ry), fine(x - sy * rx, y + sx * ry));
-            match at {
-                None => sink.start(from),
-                Some(at) if at != from => sink.line(from),
-                Some(_) => {}
-            }
-            if rx > 0 && ry > 0 {
+            let first = if rx > 0 && ry > 0 {
                 let axes = [Vector::new(rx << 12, 0), Vector::new(0, ry << 12)];
-                let start = Angle::from_bits(index << 30);
-                sink.curve(&Curve::arc(from, to, fine(x, y), axes, start, TURN / 4));
-            } else if from != to {
-                let corner = fine(x + (sx - sy) * rx, y + (sy + sx) * ry);
-                sink.line(corner);
-                sink.line(to);
-            }
-            at = Some(to);
+                let start = Angle::from_bits((index.saturating_sub(1) / 3 + 2) << 30);
+                Step::Curve(Curve::arc(from, to, fine(x, y), axes, start, TURN / 4))
+            } else {
+                Step::Line(from, fine(x + (sx - sy) * rx, y + (sy + sx) * ry))
+            };
+            (from, to, first)
+        };
+        let Some(after) = index.checked_sub(1) else { return Step::Move(corner(0).0) };
+        let (_, to, first) = corner(after / 3);
+        match after % 3 {
+            0 => first,
+            1 => Step::Line(first.end(), to),
+            _ if after < 11 => Step::Line(to, corner(after / 3 + 1).0),
+            _ => Step::Close(to, corner(0).0),
         }
-        sink.end(true);
     }
 }

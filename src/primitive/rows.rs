@@ -4,7 +4,7 @@ use core::ops::Range;
 
 use crate::{
     PixelRect, Vertex,
-    outline::{Curve, CurveSink, FinePoint, Vector},
+    outline::{Curve, FinePoint, Step, Vector},
     span::{RowSink, clip_range},
     subpixel::first_centre_at_or_after_wide,
 };
@@ -80,8 +80,12 @@ macro_rules! shape_by_rows {
         }
 
         impl $crate::outline::Outline for $shape {
-            fn emit<S: $crate::outline::OutlineSink>(&self, sink: &mut S) {
-                $crate::outline::Curves::outline(self).emit(sink);
+            fn with_vertices<R>(&self, with: impl FnOnce(&dyn $crate::outline::Vertices) -> R) -> R {
+                $crate::outline::Curves::outline(self).with_vertices(with)
+            }
+
+            fn extent(&self) -> $crate::outline::FineRect {
+                $crate::outline::Curves::outline(self).extent()
             }
         }
     };
@@ -97,12 +101,21 @@ pub(super) const fn circle_axes(radius: i64) -> [Vector; 2] {
     [Vector::new(radius << 12, 0), Vector::new(0, radius << 12)]
 }
 
-/// A closed subpath that is a circle, clockwise or not.
-pub(super) fn trace_circle<S: CurveSink>(sink: &mut S, center: Vertex, radius: i64, is_clockwise: bool) {
+/// A whole circle, clockwise or not, from its rightmost point.
+pub(super) fn circle(center: Vertex, radius: i64, is_clockwise: bool) -> Curve {
     let center = FinePoint::from_vertex(center);
     let right = Vector::new(radius << 4, 0).from(center);
     let sweep = if is_clockwise { TURN } else { -TURN };
-    sink.start(right);
-    sink.curve(&Curve::arc(right, right, center, circle_axes(radius), crate::Angle::ZERO, sweep));
-    sink.end(true);
+    Curve::arc(right, right, center, circle_axes(radius), crate::Angle::ZERO, sweep)
+}
+
+/// A closed subpath: one of the points, in order, or the close.
+pub(super) fn polygon_step(points: &[FinePoint], index: u32) -> Step {
+    let at = |index: usize| points.get(index).copied().unwrap_or_default();
+    let index = index as usize;
+    match index.checked_sub(1) {
+        None => Step::Move(at(0)),
+        Some(before) if index < points.len() => Step::Line(at(before), at(index)),
+        Some(before) => Step::Close(at(before), at(0)),
+    }
 }

@@ -10,7 +10,7 @@ use fixed::types::I24F8;
 
 use crate::{
     Angle, PixelRect, Vertex,
-    outline::{Curve, CurveSink, Curves, FinePoint, Vector},
+    outline::{Curve, Curves, FinePoint, Step, Vector},
     primitive::{
         ring::Ring,
         rows::{centre_of, centres, circle_axes, send_rows, shape_by_rows},
@@ -168,8 +168,12 @@ impl Sector {
 shape_by_rows!(Sector);
 
 impl Curves for Sector {
-    fn trace<S: CurveSink>(&self, sink: &mut S) {
-        self.arc().trace(sink);
+    fn steps(&self) -> u32 {
+        self.arc().steps()
+    }
+
+    fn step(&self, index: u32) -> Step {
+        self.arc().step(index)
     }
 }
 
@@ -246,21 +250,25 @@ impl Arc {
 shape_by_rows!(Arc);
 
 impl Curves for Arc {
-    fn trace<S: CurveSink>(&self, sink: &mut S) {
+    fn steps(&self) -> u32 {
+        let (outer, inner) = (self.outer.to_bits(), self.inner.to_bits().max(0));
+        if self.sweep == Angle::ZERO || outer <= inner { 0 } else { 5 }
+    }
+
+    fn step(&self, index: u32) -> Step {
         let (outer, inner) = (i64::from(self.outer.to_bits()), i64::from(self.inner.to_bits()).max(0));
-        if self.sweep == Angle::ZERO || outer <= inner {
-            return;
-        }
         let line =
             |radius: i64| ArcLine { center: self.center, radius: radius << 4, start: self.start, sweep: self.sweep };
         let (outer, inner) = (line(outer).curve(), line(inner).curve().reversed());
-        sink.start(outer.from());
-        sink.curve(&outer);
-        sink.line(inner.from());
-        if inner.from() != inner.to() {
-            sink.curve(&inner);
+        match index {
+            0 => Step::Move(outer.from()),
+            1 => Step::Curve(outer),
+            2 => Step::Line(outer.to(), inner.from()),
+            // A sector has no inner arc.
+            3 if inner.from() == inner.to() => Step::Line(inner.from(), inner.to()),
+            3 => Step::Curve(inner),
+            _ => Step::Close(inner.to(), outer.from()),
         }
-        sink.end(true);
     }
 }
 
@@ -293,10 +301,12 @@ impl ArcLine {
 }
 
 impl Curves for ArcLine {
-    fn trace<S: CurveSink>(&self, sink: &mut S) {
+    fn steps(&self) -> u32 {
+        2
+    }
+
+    fn step(&self, index: u32) -> Step {
         let curve = self.curve();
-        sink.start(curve.from());
-        sink.curve(&curve);
-        sink.end(false);
+        if index == 0 { Step::Move(curve.from()) } else { Step::Curve(curve) }
     }
 }

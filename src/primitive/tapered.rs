@@ -4,8 +4,9 @@ use core::ops::Range;
 
 use crate::{
     BlockSink, Line, PixelRect, Vertex,
-    outline::{CurveSink, Curves, FinePoint, Vector, clamp_fine},
-    primitive::rows::{send_rows, shape_by_rows},
+    outline::{Curves, FinePoint, Step, Vector, clamp_fine},
+    primitive::quadrilateral::Quadrilateral,
+    primitive::rows::{polygon_step, send_rows, shape_by_rows},
     shape::Shape as _,
     span::RowSink,
 };
@@ -89,7 +90,7 @@ impl TaperedLine {
     /// Of the vertices of the polygon alone.
     fn polygon_bounds(&self) -> PixelRect {
         let corners = self.fine_corners().map(FinePoint::to_vertex);
-        crate::geometry::touched(corners.iter())
+        Quadrilateral(corners).bounds()
     }
 
     fn pixel_bounds(&self) -> PixelRect {
@@ -106,15 +107,13 @@ impl TaperedLine {
 
     fn send<R: RowSink>(&self, clip: &PixelRect, sink: &mut R) -> Result<(), R::Error> {
         let corners = self.fine_corners().map(FinePoint::to_vertex);
-        let polygon = crate::Polygon::new(&corners).with_capacity::<4>();
+        let sides = Quadrilateral(corners);
         send_rows(&self.pixel_bounds(), clip, sink, |row| {
             let clip = PixelRect { rows: row..row + 1, columns: clip.columns.clone() };
             // Both have one span a row, and these touch: the middle line's pixel is the one nearest to where the sides
             // go by.
             let mut around = Around(0..0);
-            if let Ok(polygon) = &polygon {
-                let Ok(()) = polygon.blocks(&clip, &mut around);
-            }
+            let Ok(()) = sides.blocks(&clip, &mut around);
             if self.is_connected {
                 let Ok(()) = self.line().blocks(&clip, &mut around);
             }
@@ -138,12 +137,11 @@ impl BlockSink for Around {
 shape_by_rows!(TaperedLine);
 
 impl Curves for TaperedLine {
-    fn trace<S: CurveSink>(&self, sink: &mut S) {
-        let [a, b, c, d] = self.fine_corners();
-        sink.start(a);
-        sink.line(b);
-        sink.line(c);
-        sink.line(d);
-        sink.end(true);
+    fn steps(&self) -> u32 {
+        5
+    }
+
+    fn step(&self, index: u32) -> Step {
+        polygon_step(&self.fine_corners(), index)
     }
 }

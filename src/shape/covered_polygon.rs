@@ -93,7 +93,7 @@ impl<'a> Polygon<'a> {
     }
 
     fn inside(&self) -> Inside {
-        Inside { mask: self.fill_rule.mask() }
+        Inside::with_mask(self.fill_rule.mask())
     }
 }
 

@@ -5,12 +5,15 @@
 //! times as many chords as otherwise, whose lengths are within 2^-18 of the arcs'; caps lie across the curve itself,
 //! not its chord.
 
+use core::cell::Cell;
+
 use crate::{
-    outline::{Curve, CurveSink, FinePoint, OutlineSink, Vector},
+    outline::{Curves, FinePoint, Step, Vector},
     stroke::{
-        StrokeStyle,
+        Cap, StrokeStyle,
         normal::{Unit, length_q16},
-        pieces::{Pieces, Run},
+        run::Run,
+        walk::Piece,
     },
 };
 
@@ -60,83 +63,256 @@ impl<'d> Pattern<'d> {
     }
 }
 
-/// Cuts what it is told into dashes.
-#[derive(Debug)]
-pub(super) struct Dasher<'p, 'd, 's, S> {
-    start_pattern: Pattern<'d>,
-    pattern: Pattern<'d>,
-    pieces: &'p mut Pieces<'s, S>,
-    start: FinePoint,
+/// A place on what is dashed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Place {
+    step: u32,
+    chord: u32,
     at: FinePoint,
-    /// Something of the subpath has had a length.
-    has_length: bool,
-    /// A dash has begun, and has or has not got any length yet.
-    is_drawing: bool,
-    is_empty: bool,
+    normal: Unit,
 }
 
-impl<'p, 'd, 's, S: OutlineSink> Dasher<'p, 'd, 's, S> {
-    pub(super) fn new(pattern: Pattern<'d>, pieces: &'p mut Pieces<'s, S>) -> Self {
-        let at = FinePoint::default();
-        Self {
-            start_pattern: pattern,
-            pattern,
-            pieces,
-            start: at,
-            at,
-            has_length: false,
-            is_drawing: false,
-            is_empty: true,
-        }
-    }
+/// From one place to another: a dot where both are the same.
+#[derive(Debug, Clone, Copy)]
+struct Dash {
+    from: Place,
+    to: Place,
+}
 
-    fn begin_dash(&mut self, at: FinePoint) {
-        self.pieces.begin(at);
-        (self.is_drawing, self.is_empty) = (true, true);
-    }
+/// Where the walk along a path has got to.
+#[derive(Debug, Clone, Copy)]
+struct Pen<'d> {
+    step: u32,
+    chord: u32,
+    /// Along the chord.
+    done: u64,
+    pattern: Pattern<'d>,
+    /// Where the dash began that is being drawn.
+    open: Option<Place>,
+    /// The last step of the subpath that has a length; 0 for none.
+    last: u32,
+    is_in_subpath: bool,
+}
 
-    fn end_dash(&mut self, at: FinePoint, normal: Unit) {
-        if self.is_drawing {
-            if self.is_empty {
-                self.pieces.dot(at, normal);
-            } else {
-                self.pieces.finish();
-            }
-            self.is_drawing = false;
-        }
-    }
+/// How many places along the path are remembered.
+const STOPS: usize = 16;
 
-    fn push(&mut self, run: Run) {
-        self.pieces.push(run);
-        self.is_empty = false;
-    }
+/// Every dash, by number: found from the nearest of a few that are remembered.
+pub(super) struct Dashes<'d> {
+    curves: &'d dyn Curves,
+    start: Pattern<'d>,
+    cap: Cap,
+    count: u32,
+    /// Before every `2^log_every`th dash.
+    stops: [Option<Pen<'d>>; STOPS],
+    log_every: u32,
+    /// The dash that was asked for last, and where it was left.
+    latest: Cell<Option<(u32, Dash, Pen<'d>)>>,
+}
 
-    /// Along something of a length: `part` makes the run between two places on it, `place` the point and normal.
-    fn along(&mut self, length: u64, part: impl Fn(u64, u64) -> Option<Run>, place: impl Fn(u64) -> (FinePoint, Unit)) {
-        let mut done = 0;
+impl<'d> Dashes<'d> {
+    /// None where there are no gaps.
+    pub(super) fn new(curves: &'d dyn Curves, style: &StrokeStyle<'d>) -> Option<Self> {
+        let start = Pattern::new(style)?;
+        let mut dashes = Self {
+            curves,
+            start,
+            cap: style.cap,
+            count: 0,
+            stops: [None; STOPS],
+            log_every: 0,
+            latest: Cell::new(None),
+        };
+        let mut pen = dashes.pen();
         loop {
-            if self.pattern.is_dash() && !self.is_drawing {
-                self.begin_dash(place(done).0);
+            if (dashes.count >> dashes.log_every) as usize >= STOPS {
+                let mut kept = [None; STOPS];
+                for (kept, stop) in kept.iter_mut().zip(dashes.stops.iter().step_by(2)) {
+                    *kept = *stop;
+                }
+                (dashes.stops, dashes.log_every) = (kept, dashes.log_every + 1);
             }
-            let rest = length - done;
-            let is_over = self.pattern.left > rest;
-            let step = self.pattern.left.min(rest);
-            if self.is_drawing
-                && step > 0
-                && let Some(run) = part(done, done + step)
+            if dashes.count & ((1 << dashes.log_every) - 1) == 0
+                && let Some(stop) = dashes.stops.get_mut((dashes.count >> dashes.log_every) as usize)
             {
-                self.push(run);
+                *stop = Some(pen);
             }
-            done += step;
-            self.pattern.left -= step;
-            if is_over {
-                return;
+            if dashes.advance(&mut pen).is_none() {
+                return Some(dashes);
             }
-            let (at, normal) = place(done);
-            self.end_dash(at, normal);
-            self.pattern.advance();
+            dashes.count += 1;
         }
     }
+
+    const fn pen(&self) -> Pen<'d> {
+        Pen { step: 0, chord: 0, done: 0, pattern: self.start, open: None, last: 0, is_in_subpath: false }
+    }
+
+    pub(super) const fn count(&self) -> u32 {
+        self.count
+    }
+
+    fn dash(&self, number: u32) -> Option<Dash> {
+        let latest = self.latest.get();
+        if let Some((kept, dash, _)) = latest
+            && kept == number
+        {
+            return Some(dash);
+        }
+        let stop = number >> self.log_every;
+        let (mut next, mut pen) = match latest {
+            Some((kept, _, pen)) if kept < number && kept >> self.log_every == stop => (kept + 1, pen),
+            _ => (stop << self.log_every, (*self.stops.get(stop as usize)?)?),
+        };
+        loop {
+            let dash = self.advance(&mut pen)?;
+            if next == number {
+                self.latest.set(Some((number, dash, pen)));
+                return Some(dash);
+            }
+            next += 1;
+        }
+    }
+
+    pub(super) fn is_dot(&self, number: u32) -> bool {
+        self.dash(number).is_some_and(|dash| dash.from.at == dash.to.at && dash.from.step == dash.to.step)
+    }
+
+    pub(super) fn dot(&self, number: u32) -> (FinePoint, Unit) {
+        self.dash(number).map_or((FinePoint::default(), Unit::RIGHT), |dash| (dash.from.at, dash.from.normal))
+    }
+
+    /// A step of a dash, numbered from 1.
+    pub(super) fn piece(&self, number: u32, step: u32) -> Piece {
+        let Some(Dash { from, to }) = self.dash(number) else { return Piece::NOTHING };
+        let index = (from.step + step).wrapping_sub(1);
+        if index < from.step || index > to.step {
+            return Piece::NOTHING;
+        }
+        let run = self.run(index).map(|mut run| {
+            if index == from.step {
+                (run.from, run.normals[0]) = (from.at, from.normal);
+                run.curve = run.curve.map(|(curve, _, last)| (curve, from.chord + 1, last));
+            }
+            if index == to.step {
+                (run.to, run.normals[1]) = (to.at, to.normal);
+                run.curve = run.curve.map(|(curve, first, _)| (curve, first, to.chord));
+            }
+            run
+        });
+        let has_length = |run: &Run| run.from != run.to || run.chords() > 1;
+        Piece { is_over: false, is_last: index == to.step, run: run.filter(has_length) }
+    }
+
+    /// A whole step, of a curve in more chords.
+    fn run(&self, step: u32) -> Option<Run> {
+        let mut run = Run::of(&self.curves.step(step))?;
+        if let Some((curve, ..)) = run.curve {
+            let curve = curve.refined();
+            run.curve = Some((curve, 1, curve.chords().saturating_sub(1)));
+        }
+        Some(run)
+    }
+
+    /// To the end of the next dash.
+    fn advance(&self, pen: &mut Pen<'d>) -> Option<Dash> {
+        loop {
+            let step = (pen.step < self.curves.steps()).then(|| self.curves.step(pen.step));
+            let Some(step) = step.filter(|step| !matches!(step, Step::Move(_))) else {
+                let dash = self.end_subpath(pen, pen.step);
+                if step.is_some() {
+                    pen.step += 1;
+                    self.begin_subpath(pen);
+                }
+                match dash {
+                    None if step.is_none() => return None,
+                    None => continue,
+                    dash => return dash,
+                }
+            };
+            if !pen.is_in_subpath {
+                self.begin_subpath(pen);
+            }
+            if let Some(run) = self.run(pen.step) {
+                if let Some(dash) = self.along(pen, &run) {
+                    return Some(dash);
+                }
+                pen.last = pen.step;
+            }
+            (pen.step, pen.chord, pen.done) = (pen.step + 1, 0, 0);
+            if matches!(step, Step::Close(..))
+                && let Some(dash) = self.end_subpath(pen, pen.step)
+            {
+                return Some(dash);
+            }
+        }
+    }
+
+    fn begin_subpath(&self, pen: &mut Pen<'d>) {
+        (pen.pattern, pen.open, pen.last, pen.is_in_subpath) = (self.start, None, 0, true);
+        (pen.chord, pen.done) = (0, 0);
+    }
+
+    /// What is left of a dash, or a dot where nothing had a length.
+    fn end_subpath(&self, pen: &mut Pen<'d>, end: u32) -> Option<Dash> {
+        let is_over = core::mem::replace(&mut pen.is_in_subpath, false);
+        let before = end.checked_sub(1).filter(|_| is_over)?;
+        if pen.last == 0 {
+            let step = self.curves.step(before);
+            let place = Place { step: before, chord: 0, at: step.end(), normal: Unit::RIGHT.turned() };
+            let is_dot = pen.pattern.is_dash() && self.cap != Cap::Butt && !matches!(step, Step::Move(_));
+            return is_dot.then_some(Dash { from: place, to: place });
+        }
+        let run = self.run(pen.last)?;
+        let chord = run.chords().saturating_sub(1);
+        let to = Place { step: pen.last, chord, at: run.to, normal: run.normals[1] };
+        let from = pen.open.take()?;
+        (from.at != to.at || from.step != to.step).then_some(Dash { from, to })
+    }
+
+    /// To the end of a dash that is on this step, if there is one.
+    fn along(&self, pen: &mut Pen<'d>, run: &Run) -> Option<Dash> {
+        let mut from = run.point(pen.chord, false);
+        while pen.chord < run.chords() {
+            let to = run.point(pen.chord + 1, false);
+            let length = length_q16(Vector::between(from, to));
+            let place = |done: u64| Place {
+                step: pen.step,
+                chord: pen.chord,
+                at: between(from, to, done, length),
+                normal: normal(run, pen.chord, done, length),
+            };
+            if pen.pattern.is_dash() && pen.open.is_none() {
+                pen.open = Some(place(pen.done));
+            }
+            while pen.pattern.left <= length - pen.done {
+                pen.done += pen.pattern.left;
+                let dash = pen.open.take().map(|from| Dash { from, to: place(pen.done) });
+                pen.pattern.advance();
+                if pen.pattern.is_dash() {
+                    pen.open = Some(place(pen.done));
+                }
+                let is_drawn = |dash: &Dash| dash.from.at != dash.to.at || self.cap != Cap::Butt;
+                if let Some(dash) = dash.filter(is_drawn) {
+                    pen.last = pen.step;
+                    return Some(dash);
+                }
+            }
+            pen.pattern.left -= length - pen.done;
+            (pen.chord, pen.done, from) = (pen.chord + 1, 0, to);
+        }
+        None
+    }
+}
+
+/// Across a line, or the curve itself, not its chord.
+fn normal(run: &Run, chord: u32, done: u64, length: u64) -> Unit {
+    let Some((curve, ..)) = run.curve else { return run.normals[0] };
+    if chord == 0 && done == 0 {
+        return run.normals[0];
+    }
+    let part = u32::try_from((done << 16) / length.max(1)).unwrap_or(0);
+    Unit::along(curve.direction(chord, part)).map_or_else(|| run.chord(chord, false).0, Unit::turned)
 }
 
 /// The point at a part of the way.
@@ -149,79 +325,4 @@ fn between(from: FinePoint, to: FinePoint, part: u64, length: u64) -> FinePoint 
         i64::try_from(moved).unwrap_or(whole)
     };
     Vector::new(axis(vector.x), axis(vector.y)).from(from)
-}
-
-impl<S: OutlineSink> CurveSink for Dasher<'_, '_, '_, S> {
-    fn start(&mut self, at: FinePoint) {
-        self.pattern = self.start_pattern;
-        (self.start, self.at, self.has_length, self.is_drawing) = (at, at, false, false);
-    }
-
-    fn line(&mut self, to: FinePoint) {
-        let from = self.at;
-        let Some(whole) = Run::line(from, to) else { return };
-        let length = length_q16(Vector::between(from, to));
-        (self.has_length, self.at) = (true, to);
-        let [normal, _] = whole.normals;
-        let place = |part: u64| (between(from, to, part, length), normal);
-        let part = |start: u64, end: u64| Some(Run { from: place(start).0, to: place(end).0, ..whole });
-        self.along(length, part, place);
-    }
-
-    fn curve(&mut self, curve: &Curve) {
-        let Some(whole) = Run::curve(curve) else { return };
-        let curve = curve.refined();
-        (self.has_length, self.at) = (true, curve.to());
-        // Chord after chord, but a dash is one run from where it begins to where it ends, if that is on this curve.
-        let mut from = curve.from();
-        let (mut open_from, mut open_index, mut open_normal) = (from, 1, whole.normals[0]);
-        if self.pattern.is_dash() && !self.is_drawing {
-            self.begin_dash(from);
-        }
-        for (index, to) in (0..).zip(curve.points()) {
-            let length = length_q16(Vector::between(from, to));
-            let mut done = 0;
-            while self.pattern.left <= length - done {
-                done += self.pattern.left;
-                let at = between(from, to, done, length);
-                let part = u32::try_from((done << 16) / length.max(1)).unwrap_or(0);
-                let normal = Unit::along(curve.direction(index, part))
-                    .or_else(|| Unit::along(Vector::between(from, to)))
-                    .unwrap_or(Unit::RIGHT)
-                    .turned();
-                if self.is_drawing {
-                    if open_index <= index || at != open_from {
-                        let normals = [open_normal, normal];
-                        self.push(Run { from: open_from, to: at, normals, curve: Some((curve, open_index, index)) });
-                    }
-                    self.end_dash(at, normal);
-                }
-                self.pattern.advance();
-                if self.pattern.is_dash() {
-                    self.begin_dash(at);
-                    (open_from, open_index, open_normal) = (at, index + 1, normal);
-                }
-            }
-            self.pattern.left -= length - done;
-            from = to;
-        }
-        let last = curve.chords().saturating_sub(1);
-        if self.is_drawing && (open_index <= last || from != open_from) {
-            let normals = [open_normal, whole.normals[1]];
-            self.push(Run { from: open_from, to: from, normals, curve: Some((curve, open_index, last)) });
-        }
-    }
-
-    fn end(&mut self, is_closed: bool) {
-        if is_closed {
-            self.line(self.start);
-        }
-        if !self.has_length {
-            if self.pattern.is_dash() {
-                self.pieces.dot(self.at, Unit::RIGHT.turned());
-            }
-        } else if self.is_drawing && !self.is_empty {
-            self.pieces.finish();
-        }
-    }
 }

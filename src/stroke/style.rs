@@ -1,5 +1,7 @@
 //! How a stroke looks.
 
+use crate::outline::{StrokeReach, clamp_fine};
+
 /// What is at the ends of an open stroke, and of dashes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Cap {
@@ -42,6 +44,28 @@ impl Default for Join {
     }
 }
 
+/// On which side of a closed contour a stroke lies.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Align {
+    /// Half of it on either side.
+    #[default]
+    Center,
+    /// Within what the contours go around.
+    Inside,
+    /// Around that.
+    Outside,
+}
+
+impl Align {
+    pub(super) const fn opposite(self) -> Self {
+        match self {
+            Self::Center => Self::Center,
+            Self::Inside => Self::Outside,
+            Self::Outside => Self::Inside,
+        }
+    }
+}
+
 /// Width, caps, joins and dashes of a stroke.
 ///
 /// # Examples
@@ -58,6 +82,7 @@ pub struct StrokeStyle<'d> {
     pub(super) join: Join,
     pub(super) dashes: &'d [u32],
     pub(super) phase: i32,
+    pub(super) align: Align,
 }
 
 impl<'d> StrokeStyle<'d> {
@@ -65,7 +90,14 @@ impl<'d> StrokeStyle<'d> {
     /// the most.
     #[inline]
     pub const fn new(width: u32) -> Self {
-        Self { width, cap: Cap::Butt, join: Join::Miter { limit: 4 * 256 }, dashes: &[], phase: 0 }
+        Self {
+            width,
+            cap: Cap::Butt,
+            join: Join::Miter { limit: 4 * 256 },
+            dashes: &[],
+            phase: 0,
+            align: Align::Center,
+        }
     }
 
     /// A stroke of a width in pixels.
@@ -101,6 +133,59 @@ impl<'d> StrokeStyle<'d> {
     #[must_use]
     pub const fn phase(self, phase: i32) -> Self {
         Self { phase, ..self }
+    }
+
+    /// The same on one side of the contours, which do not cross themselves or each other, go around what they enclose the
+    /// same way, and around holes in it the other way. Open subpaths have no sides, and are not drawn; dashes always lie in
+    /// the middle.
+    #[inline]
+    #[must_use]
+    pub const fn align(self, align: Align) -> Self {
+        Self { align, ..self }
+    }
+
+    pub(super) const fn has_gaps(&self) -> bool {
+        let mut dashes = self.dashes;
+        while let [first, rest @ ..] = dashes {
+            if *first > 0 {
+                return true;
+            }
+            dashes = rest;
+        }
+        false
+    }
+
+    /// For the chains of a stroke: how far it reaches, and how many times as many its alignment makes of them.
+    pub(crate) const fn chains(&self) -> (StrokeReach, usize) {
+        let (mut sum, mut dashes) = (0, self.dashes);
+        while let [first, rest @ ..] = dashes {
+            sum += 16 * *first as u64;
+            dashes = rest;
+        }
+        #[allow(clippy::cast_possible_truncation, reason = "more are no pattern")]
+        let count = self.dashes.len() as u32;
+        let dashes = if self.has_gaps() { Some((count, sum)) } else { None };
+        let (radius, more) = match self.align {
+            Align::Inside | Align::Outside if !self.has_gaps() => (2 * self.radius(), 2),
+            _ => (self.radius(), 1),
+        };
+        (StrokeReach { radius, most: self.reach(), dashes }, more)
+    }
+
+    /// How far from its line anything of it may be, in 1/4096 pixel.
+    pub(super) const fn reach(&self) -> i32 {
+        let width = match self.align {
+            Align::Center => 1,
+            Align::Inside | Align::Outside => 2,
+        };
+        let radius = self.radius() * width;
+        let miter = match self.join {
+            Join::Miter { limit } if limit > 256 => limit as i64,
+            _ => 256,
+        };
+        // Half the diagonal of a square is less than 363 256ths.
+        let most = if matches!(self.cap, Cap::Square) && miter < 363 { 363 } else { miter };
+        clamp_fine(((radius * most) >> 8) + 8)
     }
 
     /// Half of the width, in 1/4096 pixel.
