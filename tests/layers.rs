@@ -308,7 +308,7 @@ const NOT_YET: [(&str, &str, &str); 5] = [
     ("area", "sweep", "fill"),
     ("area", "pixel", "fill"),
     ("path", "arc", "element"),
-    ("shape", "waiting", "active"),
+    ("shape::polygon", "waiting", "active"),
     ("shape", "supersampled", "supersampled_polygon"),
 ];
 

@@ -1,31 +1,18 @@
 //! The shapes: each knows its pixels, and no colour or target.
 
-mod active;
 mod circle;
-mod covered_circle;
-mod covered_line;
-mod covered_outline;
-mod covered_polygon;
-mod covered_triangle;
-mod cut_runs;
 mod line;
+mod outline;
 mod polygon;
-mod runs;
 mod supersampled;
-mod supersampled_polygon;
-mod table;
 mod triangle;
-mod waiting;
 
 pub use crate::contours::FillRule;
-pub use active::ActiveEdge;
 pub use circle::Circle;
-pub use covered_outline::{CoverOutline, OutlineCoverageIn, OutlineCoverageWith};
-pub use covered_polygon::{PolygonCoverageIn, PolygonCoverageWith};
 pub use line::Line;
-pub use polygon::{Polygon, PolygonInScratch, PolygonWithCapacity};
-pub use supersampled::SupersampledIn;
-pub use supersampled_polygon::{PolygonEdges, SampleEdge};
+pub use outline::{CoverOutline, OutlineCoverageIn, OutlineCoverageWith};
+pub use polygon::{ActiveEdge, Polygon, PolygonCoverageIn, PolygonCoverageWith, PolygonInScratch, PolygonWithCapacity};
+pub use supersampled::{PolygonEdges, SampleEdge, SupersampledIn};
 pub use triangle::Triangle;
 
 use crate::{

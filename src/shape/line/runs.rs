@@ -22,7 +22,7 @@ use crate::{
 ///
 /// The first pixel's centre is at most half a pixel behind the first end, and the slope at most one.
 #[inline(always)]
-pub(super) fn first_cell(first: (i32, i32), last: (i32, i32)) -> (i32, i32) {
+pub(in crate::shape) fn first_cell(first: (i32, i32), last: (i32, i32)) -> (i32, i32) {
     let holding = pixel_holding(first.1);
     let is_past_middle = i32::from(first.1 & (ONE - 1) >= HALF);
     if first.1 <= last.1 { (holding - 1 + is_past_middle, 1) } else { (holding + is_past_middle, -1) }
@@ -30,7 +30,7 @@ pub(super) fn first_cell(first: (i32, i32), last: (i32, i32)) -> (i32, i32) {
 
 /// Emits (major pixels, cell) for every run of a line that is well inside.
 #[inline(always)]
-pub(super) fn whole<const BACKWARD: bool, E>(
+pub(in crate::shape) fn whole<const BACKWARD: bool, E>(
     first: (i32, i32),
     last: (i32, i32),
     mut emit: impl FnMut(Range<i32>, i32) -> Result<(), E>,

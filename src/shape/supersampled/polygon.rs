@@ -17,9 +17,11 @@ use crate::{
     limits::{HALF, NARROW_REACH, ONE},
     shape::{
         Polygon,
-        active::{ActiveEdge, Track, contour_of},
+        polygon::{
+            active::{ActiveEdge, Track, contour_of},
+            table::Table,
+        },
         supersampled::{Sampled, SupersampledIn},
-        table::Table,
     },
     subpixel::first_centre_at_or_after_wide,
 };
@@ -144,7 +146,7 @@ impl<'a> Polygon<'a> {
     }
 
     /// Sends the samples in a rectangle of pixels; there are slots for all edges.
-    pub(super) fn sample_in<S: CoverageSink>(
+    pub(in crate::shape) fn sample_in<S: CoverageSink>(
         &self,
         samples: Samples,
         pixels: &PixelRect,

@@ -8,14 +8,14 @@ use core::{mem::replace, ops::Range};
 use crate::{
     edge::{Descent, Edge, divide_product},
     limits::{HALF, ONE, SUBPIXEL_BITS},
-    shape::runs::first_cell,
+    shape::line::runs::first_cell,
     span::clip_range,
     subpixel::pixel_holding,
 };
 
 /// The runs of any line, in any clip. `progress` is the distance along the minor axis from the first end.
 #[derive(Debug)]
-pub(super) struct CutRuns {
+pub(in crate::shape) struct CutRuns {
     /// The major axis takes the edge's x, the minor its y.
     descent: Descent,
     /// The first end's minor coordinate.
@@ -29,7 +29,7 @@ pub(super) struct CutRuns {
 }
 
 impl CutRuns {
-    pub(super) fn new(first: (i32, i32), last: (i32, i32), clip: &Range<i32>, cells: &Range<i32>) -> Self {
+    pub(in crate::shape) fn new(first: (i32, i32), last: (i32, i32), clip: &Range<i32>, cells: &Range<i32>) -> Self {
         let (cell, direction) = first_cell(first, last);
         let (low, high) = (first.0.min(last.0), first.0.max(last.0));
         Self {
@@ -52,7 +52,7 @@ impl CutRuns {
     }
 
     /// Emits (major pixels, cell) for every run, in order.
-    pub(super) fn each<E>(mut self, mut emit: impl FnMut(Range<i32>, i32) -> Result<(), E>) -> Result<(), E> {
+    pub(in crate::shape) fn each<E>(mut self, mut emit: impl FnMut(Range<i32>, i32) -> Result<(), E>) -> Result<(), E> {
         if self.pixels.is_empty() || self.cells.is_empty() {
             return Ok(());
         }

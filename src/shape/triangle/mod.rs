@@ -1,5 +1,7 @@
 //! Filled triangle: two trapezoids that share the long edge.
 
+mod areas;
+
 use core::ops::Range;
 
 use fixed::types::I24F8;

@@ -1,5 +1,9 @@
 //! Supersampled circle and triangle: the same shapes without anti-aliasing, `n` times as large.
 
+mod polygon;
+
+pub use polygon::{PolygonEdges, SampleEdge};
+
 use core::{cell::Cell as Shared, fmt, ops::Range};
 
 use crate::{
@@ -7,7 +11,7 @@ use crate::{
     coverage::{CoverageSink, SampleCell, Samples, Supersampler},
     error::TooLittleScratch,
     limits::{HALF, ONE, SUBPIXEL_BITS},
-    shape::{Circle, Cover, Polygon, Shape, Triangle, supersampled_polygon::SampleEdge},
+    shape::{Circle, Cover, Polygon, Shape, Triangle},
     span::{Span, SpanSink, clip_range},
     subpixel::first_centre_at_or_after_wide,
 };
@@ -74,7 +78,11 @@ pub struct SupersampledIn<'s, T> {
 }
 
 impl<'s, T> SupersampledIn<'s, T> {
-    pub(super) fn new(shape: T, samples: Samples, cells: &'s mut [SampleCell]) -> Result<Self, TooLittleScratch> {
+    pub(in crate::shape) fn new(
+        shape: T,
+        samples: Samples,
+        cells: &'s mut [SampleCell],
+    ) -> Result<Self, TooLittleScratch> {
         if cells.is_empty() {
             return Err(TooLittleScratch::NoCells);
         }
@@ -90,7 +98,7 @@ impl<T: fmt::Debug> fmt::Debug for SupersampledIn<'_, T> {
 }
 
 /// A shape that can send the spans of its samples.
-pub(super) trait Sampled {
+pub(in crate::shape) trait Sampled {
     fn touched(&self) -> PixelRect;
 
     /// Those in a rectangle of pixels.

@@ -5,7 +5,7 @@ use core::ops::Range;
 use crate::{
     contours::Contours,
     edge::Edge,
-    shape::{
+    shape::polygon::{
         active::{ActiveEdge, Track, contour_of, remade},
         waiting::{Top, move_up, sift_down, sift_up},
     },
@@ -209,7 +209,7 @@ impl Table<'_, '_, Edge> {
 
 /// Sorts edges that are nearly in order from left to right.
 #[inline(never)]
-pub(super) fn sort<T: Track>(edges: &mut [ActiveEdge<T>]) {
+pub(in crate::shape) fn sort<T: Track>(edges: &mut [ActiveEdge<T>]) {
     (1..edges.len()).for_each(|place| sink_left(edges, place));
 }
 

@@ -1,11 +1,19 @@
 //! Filled polygon: scan lines through an active edge table.
 
+pub(in crate::shape) mod active;
+mod areas;
+pub(in crate::shape) mod table;
+pub(in crate::shape) mod waiting;
+
+pub use active::ActiveEdge;
+pub use areas::{PolygonCoverageIn, PolygonCoverageWith};
+
 use core::{cell::Cell, fmt, ops::Range};
 
 use crate::{
     PixelRect, TooManyEdges, Vertex,
     contours::{Contours, FillRule, Rows},
-    shape::{ActiveEdge, Shape, table::Table},
+    shape::{Shape, polygon::table::Table},
     span::{BlockSink, EachSpan, MergeRows, RowSink, SpanSink, clip_range},
     subpixel::first_centre_at_or_after,
 };
@@ -83,8 +91,8 @@ use crate::{
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Polygon<'a> {
-    pub(super) contours: Contours<'a>,
-    pub(super) fill_rule: FillRule,
+    pub(in crate::shape) contours: Contours<'a>,
+    pub(in crate::shape) fill_rule: FillRule,
 }
 
 impl<'a> Polygon<'a> {

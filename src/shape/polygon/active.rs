@@ -6,7 +6,7 @@ use crate::{
     Vertex,
     contours::{Contours, Rows, edge_below, next_index},
     edge::Edge,
-    shape::waiting::Top,
+    shape::polygon::waiting::Top,
 };
 
 /// What an active edge keeps of where it is.
@@ -49,13 +49,13 @@ impl Track for Edge {
 /// Scratch for one active edge of a polygon; see [`Polygon`](crate::Polygon). 32 bytes.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct ActiveEdge<T = Edge> {
-    pub(super) edge: T,
+    pub(in crate::shape) edge: T,
     /// The row it ends on; of a top that waits, the row it starts on.
-    pub(super) until: i32,
+    pub(in crate::shape) until: i32,
     /// The vertex it ends at; of a top that waits, the one it starts at.
-    pub(super) vertex: u32,
+    pub(in crate::shape) vertex: u32,
     /// The contour that it is part of, inverted where it runs up it.
-    pub(super) contour: i32,
+    pub(in crate::shape) contour: i32,
 }
 
 const _: () = assert!(size_of::<ActiveEdge>() == 32);
@@ -66,7 +66,7 @@ impl<T: Track> ActiveEdge<T> {
 
     /// Makes it the edge that leaves `vertex` one way, if that goes down; `row` is the vertex's.
     #[inline]
-    pub(super) fn set_below(
+    pub(in crate::shape) fn set_below(
         &mut self,
         contours: Contours<'_>,
         vertex: u32,
@@ -83,30 +83,30 @@ impl<T: Track> ActiveEdge<T> {
 
     /// 1 where the contour goes down, -1 where it goes up.
     #[inline(always)]
-    pub(super) fn winding(&self) -> i32 {
+    pub(in crate::shape) fn winding(&self) -> i32 {
         (self.contour >> 31) | 1
     }
 
     /// A slot that waits uses three of its fields, and only those are moved.
     #[inline(always)]
-    pub(super) fn wait_for(&mut self, top: Top) {
+    pub(in crate::shape) fn wait_for(&mut self, top: Top) {
         (self.until, self.vertex, self.contour) = (top.row, top.vertex, top.contour);
     }
 
     #[inline(always)]
-    pub(super) fn top(&self) -> Top {
+    pub(in crate::shape) fn top(&self) -> Top {
         Top { row: self.until, vertex: self.vertex, contour: self.contour }
     }
 }
 
 #[inline]
-pub(super) fn contour_of(contours: Contours<'_>, contour: i32) -> &[Vertex] {
+pub(in crate::shape) fn contour_of(contours: Contours<'_>, contour: i32) -> &[Vertex] {
     contours.contour((contour ^ (contour >> 31)).unsigned_abs() as usize)
 }
 
 /// An edge too tall to be stepped, for another row.
 #[inline(never)]
-pub(super) fn remade<T: Track>(contour: &[Vertex], lower: u32, is_forward: bool, row: i32) -> T {
+pub(in crate::shape) fn remade<T: Track>(contour: &[Vertex], lower: u32, is_forward: bool, row: i32) -> T {
     match (contour.get(next_index(contour, lower, !is_forward) as usize), contour.get(lower as usize)) {
         (Some(&upper), Some(&lower)) => T::on_row(upper, lower, row),
         _ => T::EMPTY,

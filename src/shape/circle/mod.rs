@@ -1,5 +1,7 @@
 //! Filled circle: every centre nearer than the radius, by comparing squares.
 
+mod areas;
+
 use core::ops::Range;
 
 use fixed::{traits::ToFixed, types::I24F8};

@@ -1,13 +1,13 @@
 //! Tops that wait in free slots: a heap of the earliest ones while they are found, sorted afterwards.
 
-use crate::shape::active::{ActiveEdge, Track};
+use crate::shape::polygon::active::{ActiveEdge, Track};
 
 /// Where a contour turns down: two edges start on `row`.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Top {
-    pub(super) row: i32,
-    pub(super) vertex: u32,
-    pub(super) contour: i32,
+pub(in crate::shape) struct Top {
+    pub(in crate::shape) row: i32,
+    pub(in crate::shape) vertex: u32,
+    pub(in crate::shape) contour: i32,
 }
 
 #[inline(always)]
@@ -19,7 +19,7 @@ fn set_top<T: Track>(slots: &mut [ActiveEdge<T>], index: usize, top: Top) {
 
 /// Moves `count` tops from `start` so that they end at `end`, which is not before where they are.
 #[inline]
-pub(super) fn move_up<T: Track>(slots: &mut [ActiveEdge<T>], start: usize, count: usize, end: usize) {
+pub(in crate::shape) fn move_up<T: Track>(slots: &mut [ActiveEdge<T>], start: usize, count: usize, end: usize) {
     for offset in (0..count).rev() {
         if let Some(top) = slots.get(start + offset).map(ActiveEdge::top) {
             set_top(slots, end - count + offset, top);
@@ -29,7 +29,7 @@ pub(super) fn move_up<T: Track>(slots: &mut [ActiveEdge<T>], start: usize, count
 
 /// Adds `top` to the heap, whose latest top is at the root, at its end.
 #[inline]
-pub(super) fn sift_up<T: Track>(heap: &mut [ActiveEdge<T>], mut place: usize, top: Top) {
+pub(in crate::shape) fn sift_up<T: Track>(heap: &mut [ActiveEdge<T>], mut place: usize, top: Top) {
     while place > 0 {
         let parent = (place - 1) / 2;
         match heap.get(parent).map(ActiveEdge::top) {
@@ -43,7 +43,7 @@ pub(super) fn sift_up<T: Track>(heap: &mut [ActiveEdge<T>], mut place: usize, to
 
 /// Puts `top` in the place of the root.
 #[inline]
-pub(super) fn sift_down<T: Track>(heap: &mut [ActiveEdge<T>], top: Top) {
+pub(in crate::shape) fn sift_down<T: Track>(heap: &mut [ActiveEdge<T>], top: Top) {
     let mut place = 0;
     loop {
         let (left, right) = (2 * place + 1, 2 * place + 2);

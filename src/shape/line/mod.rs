@@ -1,12 +1,19 @@
 //! Thin line: the run of pixels in each cell of the minor axis, found by dividing once and stepping.
 
+mod areas;
+mod cut_runs;
+mod runs;
+
 use core::ops::Range;
 
 use crate::{
     PixelRect, Vertex,
     geometry::by_height,
     limits::HALF,
-    shape::{Shape, cut_runs::CutRuns, runs::whole},
+    shape::{
+        Shape,
+        line::{cut_runs::CutRuns, runs::whole},
+    },
     span::{BlockSink, SpanSink, SplitRows},
     subpixel::pixel_holding,
 };
