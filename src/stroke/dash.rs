@@ -12,8 +12,8 @@ use crate::{
     stroke::{
         Cap, StrokeStyle,
         normal::{Unit, length_q16},
+        piece::Piece,
         run::Run,
-        walk::Piece,
     },
 };
 

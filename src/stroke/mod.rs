@@ -18,6 +18,7 @@ mod corner;
 mod dash;
 mod fan;
 mod normal;
+mod piece;
 mod run;
 mod style;
 mod walk;

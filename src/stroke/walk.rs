@@ -20,6 +20,7 @@ use crate::{
         dash::Dashes,
         fan::{MOST_HALVINGS, halved_bend},
         normal::Unit,
+        piece::Piece,
         run::Run,
     },
 };
@@ -53,20 +54,6 @@ struct Place {
 
 const PIECES: usize = if cfg!(target_pointer_width = "64") { 16 } else { 4 };
 const CORNERS: usize = if cfg!(target_pointer_width = "64") { 64 } else { 8 };
-
-/// A step of the path, or of a dash.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Piece {
-    /// The subpath has ended before it, or ends with it.
-    pub(super) is_over: bool,
-    pub(super) is_last: bool,
-    /// None where it has no length.
-    pub(super) run: Option<Run>,
-}
-
-impl Piece {
-    pub(super) const NOTHING: Self = Self { is_over: true, is_last: true, run: None };
-}
 
 /// What a contour is of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
