@@ -199,7 +199,7 @@ pub trait Within: Outline {
     ///
     /// let corner = Stroke::new(path!("M2 8V2h5"), StrokeStyle::pixels(2).cap(Cap::Square));
     /// let error = corner.within(&mut Scratch::<2>::new()).unwrap_err();
-    /// assert_eq!(error.to_string(), "the outline needs a Scratch<4, 23>, not a Scratch<2>");
+    /// assert_eq!(error.to_string(), "the outline needs a Scratch<2, 12>, not a Scratch<2>");
     /// ```
     fn within<'s, const EDGES: usize, const VERTICES: usize>(
         &self,
