@@ -228,6 +228,8 @@ impl<C: PixelColor> DrawTarget for Panel<C> {
     }
 }
 
+type ColourBand<'a> = Band<'a, Rgb565, Rows<MsbFirst>>;
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
 
@@ -252,7 +254,7 @@ proptest! {
         let (bounded, bounded_blended, bounded_text) =
             (Bounded::new(filled), Bounded::new(blended), Bounded::new(text));
         prop_assert_eq!(bounded_text.bounding_box().size, text.bounding_box().size);
-        let drawn = |draw: &dyn Fn(&mut Band<'_, Rgb565, Rows<MsbFirst>>)| {
+        let drawn = |draw: &dyn Fn(&mut ColourBand)| {
             let buffer = vec![0; 2 * 61 * rows as usize];
             let mut bands = Bands::<Rgb565, Rows<MsbFirst>, _, 1>::new([buffer], SCREEN, Rgb565::BLACK).unwrap();
             let mut panel = Panel(vec![Rgb565::WHITE; 61 * 48]);

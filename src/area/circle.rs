@@ -160,7 +160,7 @@ impl Circle {
             return to;
         }
         // Of a chord with a slope of at most 1/2 or 1, along the longer side: by sqrt(4/5) and sqrt(1/2).
-        let step = |is_flat: bool| self.longest * if is_flat { 229 } else { 181 } >> 8;
+        let step = |is_flat: bool| (self.longest * if is_flat { 229 } else { 181 }) >> 8;
         if from.x < from.y {
             let step = step(2 * from.x < from.y).max(1);
             let mut x = from.x + step;

@@ -193,7 +193,7 @@ mod tests {
             state >> (64 - bits)
         };
         for _ in 0..100_000 {
-            let bits = 3 + random(6) as u32 % 40;
+            let bits = 3 + u32::try_from(random(6) % 40).unwrap_or(0);
             let length = random(bits).max(2);
             let (distance, across) = (random(43) % length, random(43) % (length + 1));
             let expected =
