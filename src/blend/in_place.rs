@@ -21,8 +21,8 @@ use crate::{
 ///
 /// # Cost
 ///
-/// A row is looked up once for each run and span. Where registers have 64 bits, pixels at the edges are mixed eight at a time
-/// ([`Mix::over_eight`], [`Mix::over_eights`]), four on either side of a span; elsewhere one by one.
+/// A row is looked up once for each run and span. Where registers have 64 bits, the pixels of a run are mixed eight at a time
+/// ([`Mix::over_eight`]); elsewhere one by one.
 ///
 /// # Examples
 ///
