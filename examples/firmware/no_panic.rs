@@ -81,10 +81,10 @@ impl GetPixel for Display {
     }
 }
 
-/// Sinks that can fail. That for coverage may be sent eights, which the library's own blending only wants on hosts.
-struct Sink<const EIGHTS: bool>;
+/// A sink that can fail.
+struct Sink;
 
-impl SpanSink for Sink<false> {
+impl SpanSink for Sink {
     type Error = u8;
 
     fn span(&mut self, span: Span) -> Result<(), u8> {
@@ -93,7 +93,7 @@ impl SpanSink for Sink<false> {
     }
 }
 
-impl BlockSink for Sink<false> {
+impl BlockSink for Sink {
     type Error = u8;
 
     fn block(&mut self, rows: core::ops::Range<i32>, columns: core::ops::Range<i32>) -> Result<(), u8> {
@@ -102,10 +102,8 @@ impl BlockSink for Sink<false> {
     }
 }
 
-impl<const EIGHTS: bool> CoverageSink for Sink<EIGHTS> {
+impl CoverageSink for Sink {
     type Error = u8;
-
-    const EIGHTS: bool = EIGHTS;
 
     fn span(&mut self, span: Span, coverage: u8) -> Result<(), u8> {
         black_box((span, coverage));
@@ -157,8 +155,8 @@ fn fill_from_seed(clip: &PixelRect, display: &mut Display) {
 
 fn push(shape: impl Shape, clip: &PixelRect, display: &mut Display) {
     black_box(shape.bounds());
-    let _ = black_box(shape.spans(clip, &mut Sink::<false>));
-    let _ = black_box(shape.blocks(clip, &mut Sink::<false>));
+    let _ = black_box(shape.spans(clip, &mut Sink));
+    let _ = black_box(shape.blocks(clip, &mut Sink));
     let filled = shape.filled(Rgb565::RED);
     black_box(filled.bounding_box());
     let Ok(()) = filled.draw(display);
@@ -167,8 +165,7 @@ fn push(shape: impl Shape, clip: &PixelRect, display: &mut Display) {
 /// Everything that a coverage can be asked, and blended in every way there is.
 fn cover(shape: &impl Cover, clip: &PixelRect, display: &mut Display) {
     black_box(shape.touched());
-    let _ = black_box(shape.coverage(clip, &mut Sink::<false>));
-    let _ = black_box(shape.coverage(clip, &mut Sink::<true>));
+    let _ = black_box(shape.coverage(clip, &mut Sink));
     let background = Over(black_box(Rgb565::BLUE));
     let drawable = Borrowed(shape).antialiased(black_box(Rgb565::RED), background);
     black_box(drawable.bounding_box());
@@ -180,10 +177,6 @@ fn cover(shape: &impl Cover, clip: &PixelRect, display: &mut Display) {
     blend(shape, Linear(ReadBack), display);
     blend(shape, InPlace, display);
     blend(shape, Linear(InPlace), display);
-    let (start, sides) = (black_box(Point::zero()), black_box([0; 8]));
-    let Ok(()) = InPlace.eights(display, start, Rgb565::RED, &[sides, sides]);
-    let Ok(()) = InPlace.span_with_sides(display, start, black_box(0), Rgb565::RED, &sides);
-    let Ok(()) = Blend::span_with_sides(&ReadBack, display, start, black_box(0), Rgb565::RED, &sides);
 }
 
 fn blend(shape: &impl Cover, blend: impl Blend<Display>, display: &mut Display) {

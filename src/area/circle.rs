@@ -91,7 +91,7 @@ impl Circle {
         let (first, end) = (row_of(self.y - radius).max(0), row_of(self.y + radius - 1).saturating_add(1).min(height));
         let mut rows = ConvexRows::new(self.width);
         let border = |row: i32| {
-            let y = ((i64::from(row) << FINE_BITS) - self.y).clamp(-radius, radius);
+            let y = ((i64::from(row) << FINE_BITS) - self.y).max(-radius).min(radius);
             (y, self.at_height(y.unsigned_abs()))
         };
         let (mut top_y, mut top) = border(first);
@@ -166,7 +166,7 @@ impl Circle {
             let mut x = from.x + step;
             // As many more as are not seen.
             if nearest > x && 2 * nearest + u64::from(FINE_ONE.unsigned_abs()) < from.y {
-                x += (nearest - x) / step * step;
+                x += (nearest - x).checked_div(step).unwrap_or(0) * step;
             }
             let y = if x < to.x { self.other_leg(x) } else { 0 };
             if y > to.y { Point { x, y: y.min(from.y) } } else { to }
