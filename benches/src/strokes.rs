@@ -60,9 +60,7 @@ pub(crate) fn measure() -> Result<ExitCode, Box<dyn Error>> {
     for samples in [500, 2_000] {
         compare(&format!("a signal of {samples} samples"), &trace(samples, 4.0))?;
     }
-    for samples in [500] {
-        compare(&format!("noise of {samples} samples"), &trace(samples, 160.0))?;
-    }
+    compare("noise of 500 samples", &trace(500, 160.0))?;
     Ok(ExitCode::SUCCESS)
 }
 

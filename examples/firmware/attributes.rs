@@ -136,6 +136,7 @@ fn main() -> ! {
         };
         macro_rules! cost {
             ($name:literal, $draw:expr) => {{
+                #[allow(unused_mut)]
                 let mut draw = $draw;
                 let total = counter.count(&scenes, |scene| draw(scene, frame));
                 let start = counter.count(&scenes, |scene| draw(&thin(scene), frame));
