@@ -105,7 +105,8 @@ pub fn worst() -> [(&'static str, f64); 3] {
         .map(|(name, worst)| (name, f64::from_bits(worst.load(Ordering::Relaxed))))
 }
 
-const CIRCLES: Tolerance = Tolerance { few: 1.5, many: 0.6 };
+/// 0.5 by rounding, 0.1 by chords, and what lengths of 2^-16 px lose; the most that was seen is 0.5965.
+const CIRCLES: Tolerance = Tolerance { few: 0.61, many: 0.61 };
 
 /// Every so manieth case is held against the slow, exact oracle, too, and sent in eights.
 const EXACTLY: usize = 256;
