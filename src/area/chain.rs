@@ -242,12 +242,9 @@ impl CoverageEdge {
         }
     }
 
-    /// What it leaves of its columns to its right, if it crosses the whole row without a vertex and there is room for all.
+    /// What it leaves of its columns to its right, if there is room for all; it crosses the whole row without a vertex.
     #[inline]
     pub(super) fn areas_beside(&mut self, areas: &mut [i32]) -> Option<usize> {
-        if !self.is_single {
-            return None;
-        }
         let Self { slope, steepness, .. } = self;
         areas_beside((self.x_top, self.x), || known(steepness, *slope), areas)
     }

@@ -94,23 +94,15 @@ fn fill_convex(outline: Source<'_>, (width, height): (i32, i32), sink: &mut dyn 
             low >> FINE_BITS..side.high >> FINE_BITS
         };
         let extents = (extent(&mut left), extent(&mut right));
-        let (left_column, right_column) = (extents.0.start, extents.1.start);
-        if let Some(goes_on) =
-            send_pair(row, width, (&mut left, left_column), (&mut right, right_column), &mut areas, sink)
-        {
-            if !goes_on {
-                return false;
-            }
-            left.leave_row();
-            right.leave_row();
-            row += 1;
-            continue;
-        }
-        let add = |accumulator: &mut Accumulator| {
-            left.add(&outline, row_top, 1, accumulator);
-            right.add(&outline, row_top, -1, accumulator);
-        };
-        if !rows.send(row, extents, add, sink) {
+        let pair = ((&mut left, extents.0.start), (&mut right, extents.1.start));
+        let goes_on = send_pair(row, width, pair.0, pair.1, &mut areas, sink).unwrap_or_else(|| {
+            let add = |accumulator: &mut Accumulator| {
+                left.add(&outline, row_top, 1, accumulator);
+                right.add(&outline, row_top, -1, accumulator);
+            };
+            rows.send(row, extents, add, sink)
+        });
+        if !goes_on {
             return false;
         }
         if left.ends || right.ends {

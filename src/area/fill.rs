@@ -12,51 +12,26 @@
 //!            \ /                                      |----|
 //! ```
 
-use crate::area::{
-    AreaSink,
-    accumulator::{Accumulator, FULL, WINDOW_COLUMNS},
-    chain::{CoverageEdge, State},
-    emission::Emission,
-    order,
-    pair::{self, NO_AREAS, PairAreas, send_pair},
-    source::{FINE_BITS, Source},
-    sweep,
-    table::Table,
-    winding::Winding,
+use crate::{
+    area::{
+        AreaSink,
+        accumulator::{Accumulator, FULL, WINDOW_COLUMNS},
+        chain::{CoverageEdge, State},
+        emission::Emission,
+        order,
+        pair::{self, NO_AREAS, PairAreas, send_pair},
+        source::{FINE_BITS, Source},
+        sweep,
+        table::Table,
+        winding::Winding,
+    },
+    outline::WindingRule,
 };
-
-/// What of an outline is inside.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Inside {
-    /// Of the winding: any bit of it, or the lowest.
-    pub(crate) mask: i32,
-    /// Bits that count as their opposites.
-    pub(crate) flip: i32,
-    /// Only what is above.
-    pub(crate) least: i32,
-}
-
-impl Inside {
-    pub(crate) const fn with_mask(mask: i32) -> Self {
-        Self { mask, flip: 0, least: i32::MIN }
-    }
-
-    #[inline]
-    pub(super) fn of(self, winding: i32) -> i32 {
-        i32::from((winding ^ self.flip) & self.mask != 0 && winding > self.least)
-    }
-
-    /// The weight of what changes a winding.
-    #[inline]
-    pub(super) fn weight(self, winding: i32, direction: i8) -> i32 {
-        self.of(winding + i32::from(direction)) - self.of(winding)
-    }
-}
 
 /// Sends the areas of an outline within `width` columns and `height` rows; too few slots leave chains out.
 pub(crate) fn fill(
     source: Source<'_>,
-    inside: Inside,
+    inside: WindingRule,
     (width, height): (i32, i32),
     slots: &mut [CoverageEdge],
     sink: &mut dyn AreaSink,
@@ -92,7 +67,7 @@ pub(crate) fn fill(
 /// The state of a walk.
 pub(super) struct Fill<'a, 's> {
     pub(super) table: Table<'a, 's>,
-    pub(super) inside: Inside,
+    pub(super) inside: WindingRule,
     width: i32,
     row: i32,
     pub(super) winding: Winding,

@@ -26,7 +26,6 @@ pub use chain::CoverageEdge;
 pub(crate) use circle::send_circle;
 pub(crate) use contour_areas::{send_areas, send_contours};
 pub(crate) use convex::send_convex;
-pub(crate) use fill::Inside;
 pub(crate) use outline_areas::send_outline;
 pub(crate) use rounded::Rounded;
 pub(crate) use sink::{AreaSink, PlacedAreaSink};

@@ -1,17 +1,17 @@
 //! Outlines whose vertices are worked out, near or far.
 
 use crate::{
-    PixelRect, WindingRule,
+    PixelRect,
     area::{
-        CoverageEdge, Inside, PlacedAreaSink as _, Rounded,
+        CoverageEdge, PlacedAreaSink, Rounded,
         far::{self, Far},
         fill::fill,
         source::{FINE_BITS, Outline, Point, Source},
-        tiles::{REACH, for_each_tile},
+        tiles::{for_each_tile, is_near},
     },
     coverage::CoverageSink,
-    outline::{FinePoint, Vertices},
-    span::clip_range,
+    outline::{FinePoint, Vertices, WindingRule},
+    span::visible,
 };
 
 /// From 1/4096 pixel to 2^-16.
@@ -20,32 +20,36 @@ const FINER: u32 = 4;
 /// Sends how much of each pixel in `clip` an outline covers that lies within the pixels `touched`.
 pub(crate) fn send_outline<S: CoverageSink>(
     vertices: &dyn Vertices,
-    rule: WindingRule,
+    inside: WindingRule,
     touched: &PixelRect,
     clip: &PixelRect,
     slots: &mut [CoverageEdge],
     sink: &mut S,
 ) -> Result<(), S::Error> {
-    let (rows, columns) = (clip_range(&touched.rows, &clip.rows), clip_range(&touched.columns, &clip.columns));
-    if rows.is_empty() || columns.is_empty() {
-        return Ok(());
-    }
-    let inside = Inside { mask: rule.mask, flip: rule.flip, least: rule.least };
-    let mut rounded = Rounded::new(sink);
-    let length = |range: &core::ops::Range<i32>| i64::from(range.end).abs_diff(i64::from(range.start)) << FINE_BITS;
-    if length(&touched.rows) <= REACH && length(&touched.columns) <= REACH {
+    Rounded::send(sink, |areas| send_areas(vertices, inside, touched, clip, slots, areas))
+}
+
+fn send_areas(
+    vertices: &dyn Vertices,
+    inside: WindingRule,
+    touched: &PixelRect,
+    clip: &PixelRect,
+    slots: &mut [CoverageEdge],
+    sink: &mut dyn PlacedAreaSink,
+) {
+    let Some((rows, columns)) = visible(touched, clip) else { return };
+    if is_near(touched) {
         let corner = (columns.start, rows.start);
-        rounded.place(corner);
+        sink.place(corner);
         let size = (columns.end - columns.start, rows.end - rows.start);
-        fill(Source::Outline(&Near { vertices, corner }), inside, size, slots, &mut rounded);
-        return rounded.result;
+        fill(Source::Outline(&Near { vertices, corner }), inside, size, slots, sink);
+        return;
     }
     for_each_tile(&rows, &columns, |tile, corner, size| {
-        rounded.place(corner);
+        sink.place(corner);
         let far = Far { vertices: far::Vertices::Outline(vertices), tile, corner };
-        fill(Source::Outline(&far), inside, size, slots, &mut rounded)
+        fill(Source::Outline(&far), inside, size, slots, sink)
     });
-    rounded.result
 }
 
 struct Near<'a> {

@@ -11,7 +11,10 @@
 //! J. L. Bentley and T. A. Ottmann, "Algorithms for reporting and counting geometric intersections", 1979, with the few
 //! pieces of a pixel in place of trees.
 
-use crate::area::{accumulator::Accumulator, chain::Line, fill::Inside, source::FINE_ONE, winding::Level};
+use crate::{
+    area::{accumulator::Accumulator, chain::Line, source::FINE_ONE, winding::Level},
+    outline::WindingRule,
+};
 
 /// So many pieces have room, 56 bytes of stack each.
 ///
@@ -57,7 +60,7 @@ impl Piece {
 
 /// Adds the pieces, `levels` being the winding to their left.
 #[inline(never)]
-pub(super) fn add_pieces(pieces: &mut [Piece], levels: &[Level], inside: Inside, accumulator: &mut Accumulator) {
+pub(super) fn add_pieces(pieces: &mut [Piece], levels: &[Level], inside: WindingRule, accumulator: &mut Accumulator) {
     sort_by(pieces, |piece| i64::from(piece.line.y0));
     let (mut y, mut live, mut level) = (0, 0, 0);
     let mut started = 0;

@@ -13,14 +13,17 @@ pub(crate) struct Rounded<'s, S: CoverageSink> {
     sink: &'s mut S,
     /// Column and row that are the first.
     corner: (i32, i32),
-    pub(crate) result: Result<(), S::Error>,
+    result: Result<(), S::Error>,
     /// Of a run on its way.
     coverage: [u8; WINDOW],
 }
 
 impl<'s, S: CoverageSink> Rounded<'s, S> {
-    pub(crate) const fn new(sink: &'s mut S) -> Self {
-        Self { sink, corner: (0, 0), result: Ok(()), coverage: [0; WINDOW] }
+    /// Sends what is sent to it.
+    pub(crate) fn send(sink: &'s mut S, send: impl FnOnce(&mut dyn PlacedAreaSink)) -> Result<(), S::Error> {
+        let mut rounded = Self { sink, corner: (0, 0), result: Ok(()), coverage: [0; WINDOW] };
+        send(&mut rounded);
+        rounded.result
     }
 }
 

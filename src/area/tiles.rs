@@ -2,13 +2,19 @@
 
 use core::ops::Range;
 
-use crate::area::source::FINE_BITS;
+use crate::{PixelRect, area::source::FINE_BITS};
 
 /// How far a vertex may be from where drawing starts, without tiles: 8192 pixels, in 2^-16 pixel.
 pub(super) const REACH: u64 = 1 << (13 + FINE_BITS);
 
 /// The side of a tile, in pixels.
 pub(super) const TILE: i32 = 1 << 12;
+
+/// Whether no vertex is farther than that from any of the pixels.
+pub(super) fn is_near(touched: &PixelRect) -> bool {
+    let length = |range: &Range<i32>| i64::from(range.end).abs_diff(i64::from(range.start)) << FINE_BITS;
+    length(&touched.rows) <= REACH && length(&touched.columns) <= REACH
+}
 
 /// Calls with the corner of each tile that has a part in some rows and columns, the corner of that part and its size, until
 /// that returns `false`.

@@ -13,7 +13,7 @@ use crate::{
     PixelRect,
     band::{Band, FrameError, Parts},
     framebuffer::{FramebufferError, Layout, buffer_size, check_size},
-    span::clip_range,
+    span::visible,
 };
 
 /// Memory for a few rows of the screen, in which a whole frame is drawn, band after band.
@@ -124,11 +124,7 @@ where
     /// Areas that are not as wide as the screen have higher bands.
     pub fn parts(&self, area: &Rectangle) -> Parts {
         let (area, screen) = (PixelRect::from(*area), PixelRect::from(self.screen()));
-        let rows = clip_range(&area.rows, &screen.rows);
-        let columns = clip_range(&area.columns, &screen.columns);
-        if rows.is_empty() || columns.is_empty() {
-            return Parts::new(Rectangle::zero(), 0);
-        }
+        let Some((rows, columns)) = visible(&area, &screen) else { return Parts::new(Rectangle::zero(), 0) };
         let whole = |range: core::ops::Range<i32>, step: u32, end: i32| {
             // Nothing is negative, and at most eight pixels share a byte.
             let step = step.cast_signed();

@@ -65,28 +65,29 @@ impl InPlace {
 impl<C: Mix, D: PixelRows<Color = C>> Blend<D> for InPlace {
     #[inline]
     fn run(&self, target: &mut D, start: Point, colour: C, alphas: &[u8]) -> Result<(), D::Error> {
-        let mut alphas = alphas;
-        let mut start = start;
-        if IN_EIGHTS {
-            let Some(mut row) = target.row_from(start) else { return Ok(()) };
-            while let Some((eight, rest)) = row.split_first_chunk_mut() {
-                if let Some((first, others)) = alphas.split_first_chunk() {
-                    colour.over_eight(eight, first);
-                    (row, alphas) = (rest, others);
-                    start.x += 8;
-                    continue;
-                }
-                if !alphas.is_empty() {
+        let over = move |backdrop: C, alpha| colour.over(backdrop, alpha);
+        if !IN_EIGHTS {
+            Self::run_by(target, start, alphas, over);
+            return Ok(());
+        }
+        let Some(row) = target.row_from(start) else { return Ok(()) };
+        let (eights, rest) = row.as_chunks_mut::<8>();
+        let mut left = alphas;
+        for eight in eights {
+            let Some((first, others)) = left.split_first_chunk() else {
+                if !left.is_empty() {
                     let mut padded = [0; 8];
-                    for (padded, alpha) in padded.iter_mut().zip(alphas) {
+                    for (padded, alpha) in padded.iter_mut().zip(left) {
                         *padded = *alpha;
                     }
                     colour.over_eight(eight, &padded);
                 }
                 return Ok(());
-            }
+            };
+            colour.over_eight(eight, first);
+            left = others;
         }
-        Self::run_by(target, start, alphas, move |backdrop, alpha| colour.over(backdrop, alpha));
+        mix_cut(rest, left, over);
         Ok(())
     }
 
@@ -106,7 +107,7 @@ fn mix<C: Copy>(row: &mut [C], alphas: &[u8], over: impl Fn(C, u8) -> C) {
     }
 }
 
-/// What the target's right edge cuts, as nothing of a shape is but the empty end of an eight.
+/// Beside the target's right edge.
 #[cold]
 #[inline(never)]
 fn mix_cut<C: Copy>(row: &mut [C], alphas: &[u8], over: impl Fn(C, u8) -> C) {

@@ -8,7 +8,7 @@ use embedded_graphics_core::{
 };
 use heapless::Vec;
 
-use crate::{PixelRect, span::clip_range};
+use crate::{PixelRect, span::visible};
 
 /// The parts of a screen that have to be drawn and sent again: at most `N` rectangles, which together hold all that was added.
 ///
@@ -86,11 +86,7 @@ impl<const N: usize> Damage<N> {
     pub fn add(&mut self, changed: &impl Dimensions) {
         let changed = PixelRect::from(changed.bounding_box());
         let screen = PixelRect::from(Rectangle::new(Point::zero(), self.screen));
-        let rows = clip_range(&changed.rows, &screen.rows);
-        let columns = clip_range(&changed.columns, &screen.columns);
-        if rows.is_empty() || columns.is_empty() {
-            return;
-        }
+        let Some((rows, columns)) = visible(&changed, &screen) else { return };
         let mut area = Rectangle::from(PixelRect { rows, columns });
         // What has grown may now touch others.
         while let Some(index) = self.areas.iter().position(|other| growth(&area, other) <= WINDOW_PX) {

@@ -9,7 +9,7 @@ use crate::{
     blend::{Blend, Dither, Linear, Mix, MixLinear, Over},
     draw::blended::BlendedFill,
     shape::Cover,
-    span::clip_range,
+    span::visible,
 };
 
 /// Gives every shape that has [coverage](Cover) a colour and a way to blend it.
@@ -136,8 +136,7 @@ impl<S: Cover, C: PixelColor, B> AntiAliased<S, C, B> {
     {
         let clip = PixelRect::from(target.bounding_box());
         // Of a frame in bands, most shapes are not on most of the bands.
-        let touched = self.shape.touched();
-        if clip_range(&touched.rows, &clip.rows).is_empty() || clip_range(&touched.columns, &clip.columns).is_empty() {
+        if visible(&self.shape.touched(), &clip).is_none() {
             return Ok(());
         }
         self.blend_clipped(&clip, target)

@@ -9,7 +9,7 @@ use crate::{
     blend::Blend,
     draw::{AntiAliased, Filled},
     shape::{Cover, Shape},
-    span::clip_range,
+    span::visible,
     target::Canvas,
 };
 
@@ -57,9 +57,7 @@ impl<T> Bounded<T> {
     #[inline(always)]
     fn clip(&self, target: &impl Dimensions) -> Option<PixelRect> {
         let clip = PixelRect::from(target.bounding_box());
-        let is_beside = clip_range(&self.bounds.rows, &clip.rows).is_empty()
-            || clip_range(&self.bounds.columns, &clip.columns).is_empty();
-        if is_beside { None } else { Some(clip) }
+        visible(&self.bounds, &clip).map(|_| clip)
     }
 }
 

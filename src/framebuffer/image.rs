@@ -11,7 +11,7 @@ use embedded_graphics_core::{
 use crate::{
     PixelRect,
     framebuffer::{Framebuffer, Layout},
-    span::clip_range,
+    span::visible,
 };
 
 impl<C: PixelColor, L: Layout<C>, S: AsRef<[L::Unit]>> Framebuffer<C, L, S> {
@@ -72,10 +72,7 @@ impl<C: PixelColor, L: Layout<C>, S: AsRef<[L::Unit]>> ImageDrawable for Framebu
     /// The part comes to lie at the target's (0, 0); what of it is outside of the framebuffer is cut.
     fn draw_sub_image<D: DrawTarget<Color = C>>(&self, target: &mut D, area: &Rectangle) -> Result<(), D::Error> {
         let (area, all) = (PixelRect::from(*area), PixelRect::from(Rectangle::new(Point::zero(), self.size())));
-        let (rows, columns) = (clip_range(&area.rows, &all.rows), clip_range(&area.columns, &all.columns));
-        if rows.is_empty() || columns.is_empty() {
-            return Ok(());
-        }
+        let Some((rows, columns)) = visible(&area, &all) else { return Ok(()) };
         let top_left =
             Point::new(columns.start.wrapping_sub(area.columns.start), rows.start.wrapping_sub(area.rows.start));
         let unsigned = |range: core::ops::Range<i32>| range.start.cast_unsigned()..range.end.cast_unsigned();

@@ -48,7 +48,7 @@ impl<C: Curves> Outline for Flattened<'_, C> {
     }
 
     fn winding_rule(&self) -> WindingRule {
-        WindingRule { mask: self.fill_rule.mask(), ..WindingRule::NON_ZERO }
+        WindingRule::with_mask(self.fill_rule.mask())
     }
 }
 

@@ -105,7 +105,23 @@ pub struct WindingRule {
 }
 
 impl WindingRule {
-    pub(crate) const NON_ZERO: Self = Self { mask: !0, flip: 0, least: i32::MIN };
+    pub(crate) const NON_ZERO: Self = Self::with_mask(!0);
+
+    pub(crate) const fn with_mask(mask: i32) -> Self {
+        Self { mask, flip: 0, least: i32::MIN }
+    }
+
+    /// 1 inside, 0 outside.
+    #[inline]
+    pub(crate) fn of(self, winding: i32) -> i32 {
+        i32::from((winding ^ self.flip) & self.mask != 0 && winding > self.least)
+    }
+
+    /// The weight of what changes a winding.
+    #[inline]
+    pub(crate) fn weight(self, winding: i32, direction: i8) -> i32 {
+        self.of(winding + i32::from(direction)) - self.of(winding)
+    }
 }
 
 /// Receives the points of an [`Outline`].

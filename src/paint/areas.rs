@@ -72,65 +72,31 @@ impl<S: AreaSink> PlacedAreaSink for FromAreas<'_, S> {
     }
 }
 
-impl Areas for PolygonCoverageIn<'_, '_> {
-    const ERROR: u32 = EXACT;
+macro_rules! by_areas {
+    ($($error:expr => [$($generic:tt)*] $shape:ty;)+) => {
+        $(impl<$($generic)*> Areas for $shape {
+            const ERROR: u32 = $error;
 
-    fn touched(&self) -> PixelRect {
-        Cover::touched(self)
-    }
+            fn touched(&self) -> PixelRect {
+                Cover::touched(self)
+            }
 
-    fn push_areas(&self, clip: &PixelRect, sink: &mut impl AreaSink) {
-        self.areas(clip, &mut FromAreas { sink, corner: (0, 0) });
-    }
+            fn push_areas(&self, clip: &PixelRect, sink: &mut impl AreaSink) {
+                self.areas(clip, &mut FromAreas { sink, corner: (0, 0) });
+            }
+        })+
+    };
 }
 
-impl<const EDGES: usize> Areas for PolygonCoverageWith<'_, EDGES> {
-    const ERROR: u32 = EXACT;
+/// 0.1 of a 255th.
+const OF_CIRCLE: u32 = WHOLE / (255 * 10);
 
-    fn touched(&self) -> PixelRect {
-        Cover::touched(self)
-    }
-
-    fn push_areas(&self, clip: &PixelRect, sink: &mut impl AreaSink) {
-        self.areas(clip, &mut FromAreas { sink, corner: (0, 0) });
-    }
-}
-
-impl Areas for Triangle {
-    const ERROR: u32 = EXACT;
-
-    fn touched(&self) -> PixelRect {
-        Cover::touched(self)
-    }
-
-    fn push_areas(&self, clip: &PixelRect, sink: &mut impl AreaSink) {
-        self.areas(clip, &mut FromAreas { sink, corner: (0, 0) });
-    }
-}
-
-impl Areas for Line {
-    const ERROR: u32 = EXACT;
-
-    fn touched(&self) -> PixelRect {
-        Cover::touched(self)
-    }
-
-    fn push_areas(&self, clip: &PixelRect, sink: &mut impl AreaSink) {
-        self.areas(clip, &mut FromAreas { sink, corner: (0, 0) });
-    }
-}
-
-impl Areas for Circle {
-    /// 0.1 of a 255th.
-    const ERROR: u32 = WHOLE / (255 * 10);
-
-    fn touched(&self) -> PixelRect {
-        Cover::touched(self)
-    }
-
-    fn push_areas(&self, clip: &PixelRect, sink: &mut impl AreaSink) {
-        self.areas(clip, &mut FromAreas { sink, corner: (0, 0) });
-    }
+by_areas! {
+    EXACT => [] Triangle;
+    EXACT => [] Line;
+    OF_CIRCLE => [] Circle;
+    EXACT => ['a, 's] PolygonCoverageIn<'a, 's>;
+    EXACT => ['a, const EDGES: usize] PolygonCoverageWith<'a, EDGES>;
 }
 
 /// Any [`Cover`] by its coverage in 255ths.

@@ -37,7 +37,7 @@ use crate::{
         Paint,
         areas::{AreaSink, Areas, WHOLE},
     },
-    span::{Span, clip_range},
+    span::{Span, visible},
 };
 
 /// What a mosaic keeps of a pixel: 8 bytes and 4 for each channel.
@@ -123,14 +123,9 @@ impl<C: Channels<N>, S: Areas, P: Paint<C>, const N: usize> Tiles<C, N> for Tile
 
     fn add(&self, cells: &mut Cells<'_, N>) {
         let area = PixelRect { rows: cells.rows.clone(), columns: cells.columns.clone() };
-        let touched = self.shape.touched();
-        let clip = PixelRect {
-            rows: clip_range(&touched.rows, &area.rows),
-            columns: clip_range(&touched.columns, &area.columns),
-        };
-        if clip.rows.start < clip.rows.end && clip.columns.start < clip.columns.end {
+        if let Some((rows, columns)) = visible(&self.shape.touched(), &area) {
             let mut sink = Adding { cells, paint: &self.paint, error: S::ERROR, colour: core::marker::PhantomData };
-            self.shape.push_areas(&clip, &mut sink);
+            self.shape.push_areas(&PixelRect { rows, columns }, &mut sink);
         }
     }
 }
@@ -327,11 +322,7 @@ impl<T> Mosaic<T> {
         T: Tiles<D::Color, N>,
     {
         let (clip, touched) = (PixelRect::from(target.bounding_box()), self.tiles.touched());
-        let rows = clip_range(&touched.rows, &clip.rows);
-        let columns = clip_range(&touched.columns, &clip.columns);
-        if rows.is_empty() || columns.is_empty() {
-            return Ok(());
-        }
+        let Some((rows, columns)) = visible(&touched, &clip) else { return Ok(()) };
         let width = usize::try_from(columns.end.abs_diff(columns.start)).unwrap_or(usize::MAX);
         let Some(height @ 1..) = scratch.len().checked_div(width) else {
             let available = scratch.len();

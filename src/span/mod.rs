@@ -6,7 +6,7 @@
 mod clip;
 mod merge;
 
-pub(crate) use clip::clip_range;
+pub(crate) use clip::{clip_range, visible};
 pub(crate) use merge::{EachSpan, MergeRows, OpenBlock, RowSink, SplitRows};
 
 use core::ops::Range;

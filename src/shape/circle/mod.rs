@@ -21,7 +21,7 @@ use crate::{
 /// is nearer to the circle's than the radius, exactly.
 ///
 /// [Anti-aliased](crate::AntiAlias::antialiased), a pixel is covered by the area of the circle within it: off by at
-/// most 1/255 before it is rounded to 255ths.
+/// most 0.1 of 1/255 before it is rounded to 255ths.
 ///
 /// ```text
 ///     . # # # .

@@ -15,16 +15,13 @@
 
 use crate::{
     PixelRect, Vertex,
-    area::{PlacedAreaSink, Rounded, send_convex, vertex_position},
+    area::{PlacedAreaSink, Rounded, send_convex, source::FINE_BITS, vertex_position},
     coverage::CoverageSink,
     geometry::{by_height, pixels_between},
     limits::HALF,
     shape::{Cover, Line},
-    span::clip_range,
+    span::visible,
 };
-
-/// Bits behind the binary point of a corner.
-const CORNER_BITS: u32 = 16;
 
 impl Cover for Line {
     #[inline]
@@ -43,21 +40,14 @@ impl Cover for Line {
     }
 
     fn coverage<S: CoverageSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
-        let mut rounded = Rounded::new(sink);
-        self.areas(clip, &mut rounded);
-        rounded.result
+        Rounded::send(sink, |areas| self.areas(clip, areas))
     }
 }
 
 impl Line {
     /// Sends the areas of the pixels in `clip`, before anything is rounded.
     pub(crate) fn areas(&self, clip: &PixelRect, sink: &mut dyn PlacedAreaSink) {
-        let pixels = Cover::touched(self);
-        let rows = clip_range(&pixels.rows, &clip.rows);
-        let columns = clip_range(&pixels.columns, &clip.columns);
-        if rows.is_empty() || columns.is_empty() {
-            return;
-        }
+        let Some((rows, columns)) = visible(&Cover::touched(self), clip) else { return };
         let (upper, lower) = by_height(self.start, self.end);
         send_convex(&corners(upper, lower), &rows, &columns, sink);
     }
@@ -89,6 +79,6 @@ fn half_a_pixel_square_to(dx: u64, dy: u64) -> (i64, i64) {
     let more = square.leading_zeros() / 2;
     let length = (square << (2 * more)).isqrt().max(1);
     // `part` is at most `length / 2^more`, so `part 2^more` is below 2^32.
-    let share = |part: u64| ((part << (more + CORNER_BITS)) / length).div_ceil(2).cast_signed();
+    let share = |part: u64| ((part << (more + FINE_BITS)) / length).div_ceil(2).cast_signed();
     (share(dy), share(dx))
 }

@@ -4,10 +4,11 @@ use core::{cell::Cell, fmt};
 
 use crate::{
     PixelRect, TooManyEdges,
-    area::{CoverageEdge, Inside, PlacedAreaSink, send_areas, send_contours},
+    area::{CoverageEdge, PlacedAreaSink, send_areas, send_contours},
     contours::Rows,
     coverage::CoverageSink,
     geometry::touched,
+    outline::WindingRule,
     shape::{Cover, Polygon},
 };
 
@@ -92,8 +93,8 @@ impl<'a> Polygon<'a> {
         send_contours(self.contours, self.inside(), clip, edges, sink)
     }
 
-    fn inside(&self) -> Inside {
-        Inside::with_mask(self.fill_rule.mask())
+    fn inside(&self) -> WindingRule {
+        WindingRule::with_mask(self.fill_rule.mask())
     }
 }
 

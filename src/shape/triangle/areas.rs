@@ -6,7 +6,7 @@ use crate::{
     coverage::CoverageSink,
     geometry::{by_height, touched},
     shape::{Cover, Triangle},
-    span::clip_range,
+    span::visible,
 };
 
 impl Cover for Triangle {
@@ -16,21 +16,14 @@ impl Cover for Triangle {
     }
 
     fn coverage<S: CoverageSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
-        let mut rounded = Rounded::new(sink);
-        self.areas(clip, &mut rounded);
-        rounded.result
+        Rounded::send(sink, |areas| self.areas(clip, areas))
     }
 }
 
 impl Triangle {
     /// Sends the areas of the pixels in `clip`, before anything is rounded.
     pub(crate) fn areas(&self, clip: &PixelRect, sink: &mut dyn PlacedAreaSink) {
-        let pixels = Cover::touched(self);
-        let rows = clip_range(&pixels.rows, &clip.rows);
-        let columns = clip_range(&pixels.columns, &clip.columns);
-        if rows.is_empty() || columns.is_empty() {
-            return;
-        }
+        let Some((rows, columns)) = visible(&Cover::touched(self), clip) else { return };
         let [a, b, c] = self.vertices;
         let (a, b) = by_height(a, b);
         let (a, c) = by_height(a, c);
