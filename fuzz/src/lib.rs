@@ -2,6 +2,7 @@
 
 mod areas;
 mod case;
+#[path = "../../tests/memory/mod.rs"]
 mod memory;
 #[path = "../../tests/oracle/mod.rs"]
 mod oracle;

@@ -227,7 +227,7 @@ fn check_blends(case: &Case) -> Result<bool, String> {
 }
 
 fn check_blends_of<C: PixelColor + From<C::Raw> + Mix + MixLinear>(case: &Case) -> Result<bool, String> {
-    let before = Memory::new(&case.window, raw::<C>);
+    let before = Memory::new(case.window.clone().into(), raw::<C>);
     let (in_place, read_back) = (blended(case, &before, InPlace), blended(case, &before, ReadBack));
     if in_place != read_back {
         return Err("InPlace and ReadBack draw different pixels".to_owned());

@@ -1,33 +1,31 @@
-//! A target in memory, of a part of a screen, with a border that must stay as it is.
+//! A target in memory.
 
 use std::convert::Infallible;
 
 use embedded_graphics::{image::GetPixel, prelude::*, primitives::Rectangle};
-use spanfill::{PixelRect, PixelRows};
+use spanfill::PixelRows;
 
+/// A frame, or a part of a screen, with a border of pixels that must stay as they are.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Memory<C> {
     area: Rectangle,
-    pixels: Vec<C>,
+    pub(crate) pixels: Vec<C>,
 }
 
 const BORDER: usize = 9;
 
 impl<C: PixelColor> Memory<C> {
-    pub(crate) fn new(window: &PixelRect, colour: impl Fn(u32) -> C) -> Self {
-        let area = Rectangle::new(
-            Point::new(window.columns.start, window.rows.start),
-            Size::new(window.columns.len() as u32, window.rows.len() as u32),
-        );
-        let pixels = (window.columns.len() + BORDER) * window.rows.len() + BORDER;
-        Self { area, pixels: (0..pixels as u32).map(colour).collect() }
+    pub(crate) fn new(area: Rectangle, colour: impl Fn(u32) -> C) -> Self {
+        let stride = area.size.width as usize + 2 * BORDER;
+        let pixels = (0..(stride * area.size.height as usize) as u32).map(colour).collect();
+        Self { area, pixels }
     }
 
     fn index(&self, point: Point) -> Option<usize> {
-        let stride = self.area.size.width as usize + BORDER;
+        let stride = self.area.size.width as usize + 2 * BORDER;
         self.area.contains(point).then(|| {
             let place = point - self.area.top_left;
-            BORDER + place.y as usize * stride + place.x as usize
+            place.y as usize * stride + BORDER + place.x as usize
         })
     }
 }
