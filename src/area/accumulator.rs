@@ -41,8 +41,8 @@ pub(crate) const WINDOW_COLUMNS: i32 = usize::BITS.cast_signed();
 /// How far a segment goes down over a distance along x, `(distance * factor) >> shift` for distances in 2^-16 pixel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Steepness {
-    factor: u32,
-    shift: u8,
+    pub(super) factor: u32,
+    pub(super) shift: u8,
 }
 
 impl Steepness {
@@ -65,8 +65,6 @@ impl Steepness {
         let shift = 63_u32.saturating_sub(zeros) as u8;
         Self { factor, shift }
     }
-
-    pub(crate) const NONE: Self = Self { factor: 0, shift: 0 };
 
     /// For a distance in 2^-32 pixel.
     #[inline]
@@ -153,6 +151,19 @@ impl Accumulator {
             self.within_column(index as usize, within(x0) + within(x1), dy, weight);
         } else {
             self.outside_or_wide(x0.min(x1), x0.max(x1), dy, weight, steepness);
+        }
+    }
+
+    /// Adds a segment within a column, `x0` and `x1` from its left side, in `bits` bits behind the point.
+    #[inline]
+    pub(crate) fn add_to_column(&mut self, column: i32, (x0, x1): (i32, i32), bits: u32, dy: i32, weight: i32) {
+        let index = column.wrapping_sub(self.left);
+        let dy = dy << (CELL_BITS - FINE_BITS);
+        if index < 0 {
+            self.add_to_the_left(dy, weight);
+        } else if index < WINDOW_COLUMNS {
+            let finer = bits - CELL_BITS;
+            self.within_column(index.cast_unsigned() as usize, (x0 >> finer) + (x1 >> finer), dy, weight);
         }
     }
 

@@ -15,11 +15,11 @@
 //! high, it is within 2^-19 pixel of the true line. Adding a slope is exact, so x does not depend on the row that the clip
 //! begins at.
 
-use core::ops::Range;
-
 use crate::area::{
     accumulator::{Accumulator, Steepness, areas_beside},
     division::ratio,
+    line::Line,
+    lines::{Course, Kept, Lines, Row},
     source::{FINE_BITS, FINE_ONE, Source},
 };
 
@@ -31,7 +31,12 @@ pub struct CoverageEdge {
     slope: i64,
     /// Where the edge at the top of the row is there, in 2^-32 pixel.
     x_top: i64,
-    steepness: Steepness,
+    /// The steepness of the edge at the bottom of the row, worked out when it is first asked for.
+    factor: u32,
+    shift: u8,
+    /// How many of its lines are kept, and the first of them.
+    kept: u8,
+    first_kept: u16,
     contour: u32,
     /// Of the vertex that the edge at the bottom of the row leads to.
     index: u32,
@@ -80,7 +85,10 @@ impl CoverageEdge {
         x: 0,
         slope: 0,
         x_top: 0,
-        steepness: Steepness::NONE,
+        factor: 0,
+        shift: 0,
+        kept: 0,
+        first_kept: 0,
         contour: 0,
         index: 0,
         top_index: 0,
@@ -121,10 +129,11 @@ impl CoverageEdge {
         row_top: i32,
     ) -> bool {
         (self.contour, self.index, self.direction) = (contour, index, direction);
-        (self.state, self.ends) = (State::Active, false);
-        let mut from = source.vertex(contour, index);
+        (self.state, self.ends, self.kept) = (State::Active, false, 0);
+        let vertices = source.contour(contour);
+        let mut from = vertices.vertex(index);
         loop {
-            let (index, to) = source.step(contour, self.index, direction > 0);
+            let (index, to) = vertices.step(self.index, direction > 0);
             if to.y < from.y {
                 return false;
             }
@@ -150,7 +159,7 @@ impl CoverageEdge {
     fn set_slope(&mut self, dx: i32, dy: i32) {
         let slope = ratio(dx.unsigned_abs(), dy.unsigned_abs()).cast_signed();
         self.slope = if dx < 0 { -slope } else { slope };
-        self.steepness = Steepness::NONE;
+        (self.factor, self.shift) = (0, 0);
     }
 
     #[inline]
@@ -181,10 +190,11 @@ impl CoverageEdge {
         if self.end > bottom {
             self.move_down(FINE_ONE - self.top);
         } else {
-            let mut from = source.vertex(self.contour, self.index);
+            let vertices = source.contour(self.contour);
+            let mut from = vertices.vertex(self.index);
             loop {
                 (low, high) = (low.min(finest(from.x)), high.max(finest(from.x)));
-                let (index, to) = source.step(self.contour, self.index, self.direction > 0);
+                let (index, to) = vertices.step(self.index, self.direction > 0);
                 if to.y < from.y {
                     self.bottom = from.y - row_top;
                     self.ends = true;
@@ -228,42 +238,73 @@ impl CoverageEdge {
 
     /// The lines that it consists of in the row, downwards.
     #[inline]
-    pub(super) fn lines<'s, 'a>(&self, source: &'s Source<'a>, row_top: i32) -> Lines<'s, 'a> {
-        let has_vertices = self.index != self.top_index || self.ends;
-        Lines {
-            source,
-            contour: self.contour,
-            is_forward: self.direction > 0,
-            row_top,
-            start: (self.x_top, self.top),
-            end: (!self.ends).then_some(self.x),
-            vertex: has_vertices.then(|| (self.top_index, source.vertex(self.contour, self.top_index))),
-            last: self.index,
+    pub(super) fn lines<'r>(&self, row: &Row<'r>) -> Lines<'r> {
+        match self.kept_lines(row) {
+            [] => Lines::worked_out(self.course(row.source, row.top)),
+            kept => Lines::kept(kept),
         }
+    }
+
+    #[inline]
+    fn kept_lines<'r>(&self, row: &Row<'r>) -> &'r [Line] {
+        let first = usize::from(self.first_kept);
+        row.kept.get(first..first + usize::from(self.kept)).unwrap_or_default()
+    }
+
+    #[inline]
+    fn course<'r>(&self, source: Source<'r>, row_top: i32) -> Course<'r> {
+        let vertices = source.contour(self.contour);
+        let first = (self.index != self.top_index || self.ends).then_some(self.top_index);
+        let end = (!self.ends).then_some(self.x);
+        Course::new((vertices, self.direction > 0), row_top, (self.x_top, self.top), (first, self.index), end)
+    }
+
+    /// Keeps its lines, if there is room for all.
+    pub(super) fn keep(&mut self, source: Source<'_>, top: i32, kept: &mut Kept) {
+        if !self.is_single
+            && let Some((first, count)) = kept.keep(self.course(source, top))
+        {
+            (self.first_kept, self.kept) = (first, count);
+        }
+    }
+
+    #[inline]
+    pub(super) fn forget_lines(&mut self) {
+        self.kept = 0;
     }
 
     /// What it leaves of its columns to its right, if there is room for all; it crosses the whole row without a vertex.
     #[inline]
     pub(super) fn areas_beside(&mut self, areas: &mut [i32]) -> Option<usize> {
-        let Self { slope, steepness, .. } = self;
-        areas_beside((self.x_top, self.x), || known(steepness, *slope), areas)
+        areas_beside((self.x_top, self.x), || self.steepness(), areas)
     }
 
     /// Adds it to a row, with a weight.
     #[inline]
-    pub(super) fn add(&mut self, source: &Source<'_>, row_top: i32, weight: i32, accumulator: &mut Accumulator) {
+    pub(super) fn add(&mut self, row: &Row<'_>, weight: i32, accumulator: &mut Accumulator) {
         if self.is_single {
-            let Self { slope, steepness, .. } = self;
-            accumulator.add(self.x_top, self.x, FINE_ONE, weight, || known(steepness, *slope));
+            accumulator.add(self.x_top, self.x, FINE_ONE, weight, || self.steepness());
         } else {
-            self.add_lines(source, row_top, weight, accumulator);
+            self.add_lines(row, weight, accumulator);
         }
     }
 
+    #[inline]
+    fn steepness(&mut self) -> Steepness {
+        if self.factor == 0 {
+            let Steepness { factor, shift } = Steepness::of_step(self.slope.unsigned_abs());
+            (self.factor, self.shift) = (factor, shift);
+        }
+        Steepness { factor: self.factor, shift: self.shift }
+    }
+
     #[inline(never)]
-    fn add_lines(&self, source: &Source<'_>, row_top: i32, weight: i32, accumulator: &mut Accumulator) {
-        for line in self.lines(source, row_top) {
-            line.add(weight, accumulator);
+    fn add_lines(&self, row: &Row<'_>, weight: i32, accumulator: &mut Accumulator) {
+        let kept = self.kept_lines(row);
+        if kept.is_empty() {
+            self.course(row.source, row.top).for_each(|line| line.add(weight, accumulator));
+        } else {
+            kept.iter().for_each(|line| line.add(weight, accumulator));
         }
     }
 
@@ -271,13 +312,12 @@ impl CoverageEdge {
     #[inline(never)]
     pub(super) fn add_between(
         &self,
-        source: &Source<'_>,
-        row_top: i32,
+        row: &Row<'_>,
         (top, bottom): (i32, i32),
         weight: i32,
         accumulator: &mut Accumulator,
     ) {
-        for line in self.lines(source, row_top) {
+        for line in self.lines(row) {
             if line.y1 > top && line.y0 < bottom {
                 line.between(line.y0.max(top), line.y1.min(bottom)).add(weight, accumulator);
             }
@@ -285,9 +325,9 @@ impl CoverageEdge {
     }
 
     /// Finds out again what it reaches.
-    pub(super) fn measure(&mut self, source: &Source<'_>, row_top: i32) -> i32 {
+    pub(super) fn measure(&mut self, row: &Row<'_>) -> i32 {
         let (mut low, mut high) = (self.x_top, self.x_top);
-        for line in self.lines(source, row_top) {
+        for line in self.lines(row) {
             (low, high) = (low.min(line.x0).min(line.x1), high.max(line.x0).max(line.x1));
         }
         self.high = ceil(high);
@@ -303,18 +343,9 @@ impl Default for CoverageEdge {
 
 const _: () = assert!(size_of::<CoverageEdge>() == 80);
 
-/// The steepness of an edge, which is worked out when it is first asked for.
-#[inline]
-fn known(steepness: &mut Steepness, slope: i64) -> Steepness {
-    if *steepness == Steepness::NONE {
-        *steepness = Steepness::of_step(slope.unsigned_abs());
-    }
-    *steepness
-}
-
 /// From 2^-16 pixel to 2^-32.
 #[inline]
-fn finest(x: i32) -> i64 {
+pub(super) fn finest(x: i32) -> i64 {
     i64::from(x) << FINE_BITS
 }
 
@@ -335,121 +366,4 @@ fn ceil(x: i64) -> i32 {
 #[inline]
 pub(super) fn nearest(x: i64) -> i32 {
     floor(x + i64::from(FINE_ONE / 2))
-}
-
-/// A part of a chain without a vertex within it: columns in 2^-32 pixel, heights in 2^-16 from the top of the row; y0 < y1.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Line {
-    pub(super) x0: i64,
-    pub(super) y0: i32,
-    pub(super) x1: i64,
-    pub(super) y1: i32,
-}
-
-impl Line {
-    /// Where it is at a height.
-    #[inline]
-    pub(super) fn x_at(&self, y: i32) -> i64 {
-        if y == self.y0 {
-            return self.x0;
-        }
-        if y == self.y1 {
-            return self.x1;
-        }
-        // At most 2^46 and 2^16.
-        self.x0 + ((self.x1 - self.x0) * i64::from(y - self.y0)).div_euclid(i64::from((self.y1 - self.y0).max(1)))
-    }
-
-    /// At which height it is at a column.
-    #[inline]
-    fn y_at(&self, x: i64) -> i32 {
-        // At most 2^16 and 2^46.
-        let product = i64::from(self.y1 - self.y0) * (x - self.x0);
-        let dy = product.checked_div(self.x1 - self.x0).unwrap_or(0);
-        #[allow(clippy::cast_possible_truncation, reason = "between both ends")]
-        let y = self.y0 + dy as i32;
-        y
-    }
-
-    /// What of it lies between two columns, the left one belonging to it.
-    #[inline]
-    pub(super) fn within(&self, columns: &Range<i64>) -> Option<Self> {
-        let (low, high) = (self.x0.min(self.x1), self.x0.max(self.x1));
-        if low >= columns.end || high < columns.start || (high == columns.start && low < high) {
-            return None;
-        }
-        let mut line = *self;
-        if low < columns.start {
-            let y = self.y_at(columns.start);
-            if self.x0 < self.x1 {
-                (line.x0, line.y0) = (columns.start, y)
-            } else {
-                (line.x1, line.y1) = (columns.start, y)
-            }
-        }
-        if high > columns.end {
-            let y = self.y_at(columns.end);
-            if self.x0 < self.x1 {
-                (line.x1, line.y1) = (columns.end, y)
-            } else {
-                (line.x0, line.y0) = (columns.end, y)
-            }
-        }
-        (line.y0 < line.y1).then_some(line)
-    }
-
-    #[inline]
-    pub(super) fn between(&self, y0: i32, y1: i32) -> Self {
-        Self { x0: self.x_at(y0), y0, x1: self.x_at(y1), y1 }
-    }
-
-    #[inline]
-    pub(super) fn add(&self, weight: i32, accumulator: &mut Accumulator) {
-        let dy = self.y1 - self.y0;
-        accumulator
-            .add(self.x0, self.x1, dy, weight, || Steepness::of_segment(self.x0.abs_diff(self.x1), dy.unsigned_abs()));
-    }
-}
-
-/// The lines of a chain in a row.
-pub(super) struct Lines<'s, 'a> {
-    source: &'s Source<'a>,
-    contour: u32,
-    is_forward: bool,
-    row_top: i32,
-    /// Where the next line starts.
-    start: (i64, i32),
-    /// The next vertex, if there is one within the row.
-    vertex: Option<(u32, crate::area::source::Point)>,
-    /// The index that the row ends before, or at which the chain ends.
-    last: u32,
-    /// Where it leaves the row, if it does not end.
-    end: Option<i64>,
-}
-
-impl Iterator for Lines<'_, '_> {
-    type Item = Line;
-
-    #[inline]
-    fn next(&mut self) -> Option<Line> {
-        loop {
-            let (x0, y0) = self.start;
-            let (x1, y1) = if let Some((index, point)) = self.vertex {
-                self.vertex = None;
-                if index != self.last {
-                    let (next, point) = self.source.step(self.contour, index, self.is_forward);
-                    if next != self.last || self.end.is_none() {
-                        self.vertex = Some((next, point));
-                    }
-                }
-                (finest(point.x), point.y - self.row_top)
-            } else {
-                (self.end.take()?, FINE_ONE)
-            };
-            self.start = (x1, y1);
-            if y0 < y1 {
-                return Some(Line { x0, y0, x1, y1 });
-            }
-        }
-    }
 }

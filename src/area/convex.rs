@@ -17,6 +17,7 @@ use crate::{
         chain::CoverageEdge,
         emission::Emission,
         far::{Far, Vertices},
+        lines::Row,
         pair::{NO_AREAS, send_pair},
         source::{FINE_BITS, Outline, Point, Source},
         tiles::{REACH, for_each_tile},
@@ -97,8 +98,9 @@ fn fill_convex(outline: Source<'_>, (width, height): (i32, i32), sink: &mut dyn 
         let pair = ((&mut left, extents.0.start), (&mut right, extents.1.start));
         let goes_on = send_pair(row, width, pair.0, pair.1, &mut areas, sink).unwrap_or_else(|| {
             let add = |accumulator: &mut Accumulator| {
-                left.add(&outline, row_top, 1, accumulator);
-                right.add(&outline, row_top, -1, accumulator);
+                let row = Row { source: outline, top: row_top, kept: &[] };
+                left.add(&row, 1, accumulator);
+                right.add(&row, -1, accumulator);
             };
             rows.send(row, extents, add, sink)
         });

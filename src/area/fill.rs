@@ -18,6 +18,7 @@ use crate::{
         accumulator::{Accumulator, FULL, WINDOW_COLUMNS},
         chain::{CoverageEdge, State},
         emission::Emission,
+        lines::{Kept, Row},
         order,
         pair::{self, NO_AREAS, PairAreas, send_pair},
         source::{FINE_BITS, Source},
@@ -44,6 +45,7 @@ pub(crate) fn fill(
         winding: Winding::new(0),
         accumulator: Accumulator::new(),
         pair_areas: NO_AREAS,
+        kept: Kept::new(),
         swept_from: usize::MAX,
     };
     while fill.row < height {
@@ -73,6 +75,7 @@ pub(super) struct Fill<'a, 's> {
     pub(super) winding: Winding,
     pub(super) accumulator: Accumulator,
     pair_areas: PairAreas,
+    pub(super) kept: Kept,
     /// From this place on, the row has more levels than there is room for.
     swept_from: usize,
 }
@@ -81,6 +84,11 @@ impl Fill<'_, '_> {
     #[inline]
     pub(super) fn row_top(&self) -> i32 {
         self.row << FINE_BITS
+    }
+
+    #[inline]
+    pub(super) fn row(&self) -> Row<'_> {
+        Row { source: self.table.source, top: self.row_top(), kept: self.kept.lines() }
     }
 
     /// Whether the row consists of pairs of edges that share no column, with nothing inside between two pairs.
@@ -209,8 +217,33 @@ impl Fill<'_, '_> {
             self.winding.set_flat(0);
             return true;
         }
+        self.keep_lines(place, end);
+        let is_known = self.add_in_order(place, end);
+        self.forget_lines(place, end);
+        is_known
+    }
+
+    fn keep_lines(&mut self, place: usize, end: usize) {
+        let (source, row_top) = (self.table.source, self.row_top());
+        for at in place..end {
+            if let Some(chain) = self.table.chain_mut(at) {
+                chain.keep(source, row_top, &mut self.kept);
+            }
+        }
+    }
+
+    fn forget_lines(&mut self, place: usize, end: usize) {
+        for at in place..end {
+            if let Some(chain) = self.table.chain_mut(at) {
+                chain.forget_lines();
+            }
+        }
+        self.kept.clear();
+    }
+
+    fn add_in_order(&mut self, place: usize, end: usize) -> bool {
         let row_top = self.row_top();
-        order::put_in_order(&mut self.table, place, end, row_top);
+        order::put_in_order(&mut self.table, place, end, (row_top, self.kept.lines()));
         let mut at = place;
         while at < end {
             let mut joined_end = at + 1;
@@ -236,8 +269,8 @@ impl Fill<'_, '_> {
 
     #[inline]
     fn add_chain(&mut self, place: usize) -> bool {
-        let row_top = self.row_top();
-        let (source, inside) = (self.table.source, self.inside);
+        let row = Row { source: self.table.source, top: self.row_top(), kept: self.kept.lines() };
+        let inside = self.inside;
         let flat = self.winding.flat();
         let slot = self.table.place(place).slot;
         let Some(chain) = self.table.slots.get_mut(slot as usize) else { return true };
@@ -245,7 +278,7 @@ impl Fill<'_, '_> {
             let weight = inside.weight(winding, chain.direction);
             self.winding.set_flat(winding + i32::from(chain.direction));
             if weight != 0 {
-                chain.add(&source, row_top, weight, &mut self.accumulator);
+                chain.add(&row, weight, &mut self.accumulator);
             }
             return true;
         }
@@ -255,7 +288,7 @@ impl Fill<'_, '_> {
             .pass(chain.top, chain.bottom, i32::from(chain.direction), &mut |top, bottom, winding| {
                 let weight = inside.weight(winding, chain.direction);
                 if weight != 0 {
-                    chain.add_between(&source, row_top, (top, bottom), weight, accumulator);
+                    chain.add_between(&row, (top, bottom), weight, accumulator);
                 }
             })
             .is_ok()

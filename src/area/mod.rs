@@ -9,6 +9,8 @@ mod division;
 mod emission;
 mod far;
 mod fill;
+mod line;
+mod lines;
 mod order;
 mod outline_areas;
 mod pair;

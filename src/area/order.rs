@@ -5,8 +5,9 @@
 //! height.
 
 use crate::area::{
-    chain::{CoverageEdge, Line, State},
-    source::Source,
+    chain::{CoverageEdge, State},
+    line::Line,
+    lines::Row,
     table::Table,
 };
 
@@ -26,7 +27,7 @@ enum Side {
 
 /// Puts the chains of a group in order, and joins those that cross.
 #[inline(never)]
-pub(super) fn put_in_order(table: &mut Table<'_, '_>, place: usize, end: usize, row_top: i32) {
+pub(super) fn put_in_order(table: &mut Table<'_, '_>, place: usize, end: usize, (top, kept): (i32, &[Line])) {
     if let Some(first) = table.chain_mut(place) {
         (first.state, first.next) = (State::Active, first.high.cast_unsigned());
     }
@@ -45,7 +46,11 @@ pub(super) fn put_in_order(table: &mut Table<'_, '_>, place: usize, end: usize, 
             if left.top >= chain.bottom || chain.top >= left.bottom {
                 continue;
             }
-            let side = if left.high <= low { Side::Left } else { side(left, &chain, &table.source, row_top) };
+            let side = if left.high <= low {
+                Side::Left
+            } else {
+                side(left, &chain, &Row { source: table.source, top, kept })
+            };
             match side {
                 Side::Left => behind = behind.max(other + 1),
                 Side::Right => to = other,
@@ -93,17 +98,20 @@ fn insert(table: &mut Table<'_, '_>, place_of_group: usize, new: usize, at: usiz
 }
 
 /// Where `a` lies, seen from `b`.
-fn side(a: &CoverageEdge, b: &CoverageEdge, source: &Source<'_>, row_top: i32) -> Side {
+fn side(a: &CoverageEdge, b: &CoverageEdge, row: &Row<'_>) -> Side {
     if let (Some(a), Some(b)) = (a.ends_if_single(), b.ends_if_single()) {
-        return Side::Same.and(a.0 - b.0).and(a.1 - b.1);
+        return Side::Same.and(Side::of(a.0 - b.0)).and(Side::of(a.1 - b.1));
     }
-    let (mut a_lines, mut b_lines) = (a.lines(source, row_top), b.lines(source, row_top));
+    let (mut a_lines, mut b_lines) = (a.lines(row), b.lines(row));
     let (mut a, mut b) = (a_lines.next(), b_lines.next());
     let mut side = Side::Same;
     while let (Some(one), Some(other)) = (a, b) {
         let (top, bottom) = (one.y0.max(other.y0), one.y1.min(other.y1));
         if top < bottom {
-            side = side.and(apart(&one, &other, top)).and(apart(&one, &other, bottom));
+            side = match clearly_apart(&one, &other) {
+                Some(apart) => side.and(apart),
+                None => side.and(side_at(&one, &other, top)).and(side_at(&one, &other, bottom)),
+            };
             if side == Side::Across {
                 return side;
             }
@@ -117,25 +125,63 @@ fn side(a: &CoverageEdge, b: &CoverageEdge, source: &Source<'_>, row_top: i32) -
     side
 }
 
-/// How far apart two lines are at a height, up to a rounding.
-fn apart(a: &Line, b: &Line, y: i32) -> i64 {
-    a.x_at(y) - b.x_at(y)
+/// Of two lines that share no column.
+#[inline]
+fn clearly_apart(a: &Line, b: &Line) -> Option<Side> {
+    if a.x0.max(a.x1) - b.x0.min(b.x1) < -TOLERANCE {
+        Some(Side::Left)
+    } else {
+        (a.x0.min(a.x1) - b.x0.max(b.x1) > TOLERANCE).then_some(Side::Right)
+    }
+}
+
+/// At a height at which one of them begins or ends.
+///
+/// At `y` the other is at `x0 + floor(dx (y - y0) / dy)`, and `floor(n / d) < k` means `n < k d`: so there is no division. The
+/// products have 62 bits, as lines reach 2^46.
+#[inline]
+fn side_at(a: &Line, b: &Line, y: i32) -> Side {
+    let end = |line: &Line| {
+        if y == line.y0 { Some(line.x0) } else { (y == line.y1).then_some(line.x1) }
+    };
+    let (x, line, is_reversed) = match end(a) {
+        Some(x) => (x, b, false),
+        None => (end(b).unwrap_or(b.x1), a, true),
+    };
+    let (moved, height) = ((line.x1 - line.x0) * i64::from(y - line.y0), i64::from(line.y1 - line.y0));
+    let distance = x - line.x0;
+    let side = if moved >= (distance + TOLERANCE + 1) * height {
+        Side::Left
+    } else if moved < (distance - TOLERANCE) * height {
+        Side::Right
+    } else {
+        Side::Same
+    };
+    match side {
+        Side::Left if is_reversed => Side::Right,
+        Side::Right if is_reversed => Side::Left,
+        side => side,
+    }
 }
 
 impl Side {
-    /// With what is known of one more height.
+    /// At a height at which one is so far from the other.
     #[inline]
-    fn and(self, apart: i64) -> Self {
-        let here = if apart < -TOLERANCE {
+    fn of(apart: i64) -> Self {
+        if apart < -TOLERANCE {
             Self::Left
         } else if apart > TOLERANCE {
             Self::Right
         } else {
             Self::Same
-        };
+        }
+    }
+
+    /// With what is known of one more height.
+    #[inline]
+    fn and(self, here: Self) -> Self {
         match (self, here) {
-            (side, Self::Same) => side,
-            (Self::Same, side) => side,
+            (side, Self::Same) | (Self::Same, side) => side,
             (one, other) if one == other => one,
             _ => Self::Across,
         }

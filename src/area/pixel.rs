@@ -8,148 +8,277 @@
 //!            / \
 //! ```
 //!
+//! A piece is added where its weight changes, not at every band.
+//!
 //! J. L. Bentley and T. A. Ottmann, "Algorithms for reporting and counting geometric intersections", 1979, with the few
 //! pieces of a pixel in place of trees.
 
+use core::ops::Range;
+
 use crate::{
-    area::{accumulator::Accumulator, chain::Line, source::FINE_ONE, winding::Level},
+    area::{
+        accumulator::Accumulator,
+        line::Line,
+        winding::{Level, Winding},
+    },
     outline::WindingRule,
 };
 
-/// So many pieces have room, 56 bytes of stack each.
+/// So many pieces have room, 48 bytes of stack each. A pixel with more is taken in parts of its height.
 ///
-/// The same everywhere: what does not fit may be rounded another way, and hosts have a board's bits.
-pub(super) const MOST: usize = 24;
+/// The same everywhere: where parts meet is rounded once more, and hosts have a board's bits.
+const MOST: usize = 32;
 
-/// What the rounding of columns may make of two that are equal, in 2^-32 pixel: 2^-17 pixel.
-const TOLERANCE: i64 = 1 << 15;
+/// Bits behind the point of a column within the pixel.
+const PIECE_BITS: u32 = 29;
+
+/// What the rounding of columns may make of two that are equal: 2^-17 pixel.
+const TOLERANCE: i32 = 1 << (PIECE_BITS - 17);
 
 /// How often a band is made shorter at the most.
 const TRIES: usize = 64;
 
-/// A line within the pixel.
+/// A line within the pixel: columns in 2^-29 pixel from its left side, heights in 2^-16 from the top of the row.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Piece {
-    line: Line,
-    /// Per 2^-16 pixel downwards, in 2^-48 pixel.
+    x0: i32,
+    y0: i32,
+    x1: i32,
+    y1: i32,
+    /// Per 2^-16 pixel downwards, in 2^-45 pixel.
     slope: i64,
     /// Where it is at the top and the bottom of the band.
-    above: i64,
-    below: i64,
+    above: i32,
+    below: i32,
+    /// Where what has not been added yet begins.
+    from: (i32, i32),
+    weight: i8,
     direction: i8,
 }
 
 impl Piece {
     pub(super) const NONE: Self =
-        Self { line: Line { x0: 0, y0: 0, x1: 0, y1: 0 }, slope: 0, above: 0, below: 0, direction: 0 };
+        Self { x0: 0, y0: 0, x1: 0, y1: 0, slope: 0, above: 0, below: 0, from: (0, 0), weight: 0, direction: 0 };
 
-    pub(super) fn new(line: Line, direction: i8) -> Self {
-        let slope = ((line.x1 - line.x0) << 16) / i64::from((line.y1 - line.y0).max(1));
-        Self { line, slope, above: line.x0, below: line.x0, direction }
-    }
-
-    pub(super) fn heights(&self) -> (i32, i32, i8) {
-        (self.line.y0, self.line.y1, self.direction)
+    /// Of a line between the two sides of a column, the left one in 2^-32 pixel.
+    #[inline]
+    pub(super) fn new(line: &Line, direction: i8, left: i64) -> Self {
+        #[allow(clippy::cast_possible_truncation, reason = "from 0 to 2^29")]
+        let within = |x: i64| ((x - left) >> (32 - PIECE_BITS)) as i32;
+        let (x0, x1) = (within(line.x0), within(line.x1));
+        let slope = (i64::from(x1 - x0) << 16) / i64::from((line.y1 - line.y0).max(1));
+        Self { x0, y0: line.y0, x1, y1: line.y1, slope, above: x0, direction, ..Self::NONE }
     }
 
     #[inline]
-    fn x_at(&self, y: i32) -> i64 {
-        if y == self.line.y1 { self.line.x1 } else { self.line.x0 + ((self.slope * i64::from(y - self.line.y0)) >> 16) }
+    fn x_at(&self, y: i32) -> i32 {
+        if y == self.y1 {
+            return self.x1;
+        }
+        #[allow(clippy::cast_possible_truncation, reason = "between both ends")]
+        let moved = ((self.slope * i64::from(y - self.y0)) >> 16) as i32;
+        self.x0 + moved
+    }
+
+    /// Adds what is left of it, down to a height, and goes on with another weight.
+    #[inline]
+    fn add(&mut self, (x, y): (i32, i32), weight: i8, column: i32, accumulator: &mut Accumulator) {
+        if self.weight != 0 && y > self.from.1 {
+            accumulator.add_to_column(column, (self.from.0, x), PIECE_BITS, y - self.from.1, self.weight.into());
+        }
+        (self.from, self.weight) = ((x, y), weight);
     }
 }
 
-/// Adds the pieces, `levels` being the winding to their left.
-#[inline(never)]
-pub(super) fn add_pieces(pieces: &mut [Piece], levels: &[Level], inside: WindingRule, accumulator: &mut Accumulator) {
-    sort_by(pieces, |piece| i64::from(piece.line.y0));
-    let (mut y, mut live, mut level) = (0, 0, 0);
-    let mut started = 0;
-    while y < FINE_ONE {
-        // What starts here goes to the live ones, which come first; those that have ended are overwritten.
-        while let Some(&piece) = pieces.get(started).filter(|piece| piece.line.y0 <= y) {
-            if let Some(free) = pieces.get_mut(live) {
-                *free = piece;
+/// Pieces, and those of them that are there at a height, from left to right.
+pub(super) struct Pieces {
+    pieces: [Piece; MOST],
+    count: usize,
+    live: [u8; MOST],
+    alive: usize,
+}
+
+impl Pieces {
+    pub(super) const fn new() -> Self {
+        Self { pieces: [Piece::NONE; MOST], count: 0, live: [0; MOST], alive: 0 }
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.count = 0;
+    }
+
+    /// `false` where there is no room.
+    #[inline]
+    pub(super) fn push(&mut self, piece: Piece) -> bool {
+        let Some(place) = self.pieces.get_mut(self.count) else { return false };
+        *place = piece;
+        self.count += 1;
+        true
+    }
+
+    /// Adds what lies between two heights, `left` being the winding to the left; that to the right goes to `right`.
+    #[inline(never)]
+    pub(super) fn add(
+        &mut self,
+        (column, heights): (i32, Range<i32>),
+        (left, right): (&[Level], &mut Winding),
+        inside: WindingRule,
+        accumulator: &mut Accumulator,
+    ) -> bool {
+        let starts = self.starts();
+        let mut starts =
+            starts.get(..self.count).unwrap_or_default().iter().map(|start| (start >> 8, start & 0xFF)).peekable();
+        let (mut y, mut level, mut is_known) = (heights.start, 0, true);
+        self.alive = 0;
+        while y < heights.end {
+            while let Some((_, piece)) = starts.next_if(|start| start.0 <= y) {
+                self.start(piece);
             }
-            live += 1;
-            started += 1;
-        }
-        let mut to = pieces.get(started).map_or(FINE_ONE, |piece| piece.line.y0);
-        while levels.get(level).is_some_and(|level| level.end <= y) {
-            level += 1;
-        }
-        let mut winding = 0;
-        if let Some(level) = levels.get(level) {
-            to = to.min(level.end);
-            winding = level.winding;
-        }
-        let band = pieces.get_mut(..live).unwrap_or_default();
-        for piece in &mut *band {
-            to = to.min(piece.line.y1);
-        }
-        to = sort_band(band, y, to);
-        for piece in &mut *band {
-            let weight = inside.weight(winding, piece.direction);
-            winding += i32::from(piece.direction);
-            if weight != 0 {
-                Line { x0: piece.above, y0: y, x1: piece.below, y1: to }.add(weight, accumulator);
+            let mut to = starts.peek().map_or(heights.end, |start| start.0);
+            while left.get(level).is_some_and(|level| level.end <= y) {
+                level += 1;
             }
-            piece.above = piece.below;
+            let mut winding = 0;
+            if let Some(level) = left.get(level) {
+                to = to.min(level.end);
+                winding = level.winding;
+            }
+            to = self.sort_band(y, to);
+            winding = self.pass_band(y..to, winding, inside, column, accumulator);
+            is_known = is_known && right.append(to, winding).is_ok();
+            y = to;
         }
-        let mut kept = 0;
-        for at in 0..live {
-            let Some(&piece) = pieces.get(at) else { break };
-            if piece.line.y1 > to {
-                if let Some(place) = pieces.get_mut(kept) {
-                    *place = piece;
+        is_known
+    }
+
+    /// Where each begins, with its number, from top to bottom.
+    fn starts(&self) -> [i32; MOST] {
+        let mut starts = [0; MOST];
+        for (at, piece) in self.pieces.iter().take(self.count).enumerate() {
+            #[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap, reason = "fewer than 256")]
+            let start = piece.y0 << 8 | at as i32;
+            let mut place = at;
+            while place > 0 && starts[(place - 1) % MOST] > start {
+                starts[place % MOST] = starts[(place - 1) % MOST];
+                place -= 1;
+            }
+            starts[place % MOST] = start;
+        }
+        starts
+    }
+
+    fn start(&mut self, piece: i32) {
+        if let Some(place) = self.live.get_mut(self.alive) {
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "fewer than 256")]
+            let piece = piece as u8;
+            *place = piece;
+            self.alive += 1;
+        }
+    }
+
+    #[inline]
+    fn piece(&mut self, live: usize) -> &mut Piece {
+        let piece = self.live[live % MOST];
+        &mut self.pieces[usize::from(piece) % MOST]
+    }
+
+    /// Orders what is there between two heights, or down to the first end or crossing.
+    #[inline]
+    fn sort_band(&mut self, y: i32, mut to: i32) -> i32 {
+        for at in 0..self.alive {
+            to = to.min(self.piece(at).y1);
+        }
+        // A crossing that is found may hide an earlier one; rounded ones could go on without an end.
+        for _ in 0..TRIES {
+            let (mut last, mut is_in_order) = ((i32::MIN, i32::MIN), true);
+            for at in 0..self.alive {
+                let piece = self.piece(at);
+                piece.below = piece.x_at(to);
+                is_in_order &= last.0 <= piece.above && last.1 <= piece.below;
+                last = (piece.above, piece.below);
+            }
+            if is_in_order {
+                break;
+            }
+            self.sort_live();
+            let cut = self.first_crossing(y, to);
+            if cut == to {
+                break;
+            }
+            to = cut;
+        }
+        to
+    }
+
+    /// By the columns in the middle, by insertion: they are few, and mostly in order.
+    fn sort_live(&mut self) {
+        for at in 1..self.alive {
+            let number = self.live[at % MOST];
+            let piece = self.piece(at);
+            let middle = piece.above + piece.below;
+            let mut place = at;
+            while place > 0 {
+                let left = self.piece(place - 1);
+                if left.above + left.below <= middle {
+                    break;
                 }
-                kept += 1;
+                self.live[place % MOST] = self.live[(place - 1) % MOST];
+                place -= 1;
             }
+            self.live[place % MOST] = number;
         }
-        (live, y) = (kept, to);
     }
-}
 
-/// Orders what is there between two heights, or down to the first crossing.
-fn sort_band(band: &mut [Piece], y: i32, mut to: i32) -> i32 {
-    // A crossing that is found may hide an earlier one; rounded ones could go on without an end.
-    for _ in 0..TRIES {
-        for piece in &mut *band {
-            piece.below = piece.x_at(to);
-        }
-        sort_by(band, |piece| piece.above + piece.below);
+    fn first_crossing(&mut self, y: i32, to: i32) -> i32 {
         let mut cut = to;
-        for pair in band.windows(2) {
-            let [left, right] = pair else { break };
-            let (above, below) = (right.above - left.above, right.below - left.below);
+        let mut left = (0, 0);
+        for at in 0..self.alive {
+            let piece = self.piece(at);
+            let right = (piece.above, piece.below);
+            let (above, below) = (right.0 - left.0, right.1 - left.1);
             if above < -TOLERANCE || below < -TOLERANCE {
-                // In 2^-32 pixel, both less than one.
-                let (above, below) = (above.abs() >> 2, below.abs() >> 2);
+                let (above, below) = (above.unsigned_abs(), below.unsigned_abs());
+                let moved = u64::from((to - y).unsigned_abs()) * u64::from(above);
                 #[allow(clippy::cast_possible_truncation, reason = "at most the height of the band")]
-                let crossing = y + (i64::from(to - y) * above / (above + below).max(1)) as i32;
+                let crossing = y + (moved / u64::from((above + below).max(1))) as i32;
                 if crossing > y {
                     cut = cut.min(crossing);
                 }
             }
+            left = right;
         }
-        if cut == to {
-            break;
-        }
-        to = cut;
+        cut
     }
-    to
-}
 
-/// By insertion: they are few, and mostly in order.
-#[inline]
-fn sort_by(pieces: &mut [Piece], key: impl Fn(&Piece) -> i64) {
-    for at in 1..pieces.len() {
-        let mut place = at;
-        while let Some([.., left, right]) = pieces.get_mut(..=place) {
-            if key(left) <= key(right) {
-                break;
+    /// The winding behind all that is there between two heights; what changes its weight, or ends, is added.
+    #[inline]
+    fn pass_band(
+        &mut self,
+        heights: Range<i32>,
+        mut winding: i32,
+        inside: WindingRule,
+        column: i32,
+        accumulator: &mut Accumulator,
+    ) -> i32 {
+        let mut kept = 0;
+        for at in 0..self.alive {
+            let number = self.live[at % MOST];
+            let piece = &mut self.pieces[usize::from(number) % MOST];
+            #[allow(clippy::cast_possible_truncation, reason = "1, 0 or -1")]
+            let weight = inside.weight(winding, piece.direction) as i8;
+            winding += i32::from(piece.direction);
+            if weight != piece.weight {
+                piece.add((piece.above, heights.start), weight, column, accumulator);
             }
-            core::mem::swap(left, right);
-            place -= 1;
+            piece.above = piece.below;
+            if piece.y1 <= heights.end {
+                piece.add((piece.x1, piece.y1), 0, column, accumulator);
+            } else {
+                self.live[kept % MOST] = number;
+                kept += 1;
+            }
         }
+        self.alive = kept;
+        winding
     }
 }

@@ -50,7 +50,36 @@ pub(crate) enum Source<'a> {
     Outline(&'a dyn Outline),
 }
 
-impl Source<'_> {
+/// One contour of it.
+#[derive(Clone, Copy)]
+pub(crate) enum Contour<'a> {
+    Slice { vertices: &'a [Vertex], origin: (i32, i32) },
+    Outline { outline: &'a dyn Outline, contour: u32 },
+}
+
+impl Contour<'_> {
+    #[inline]
+    pub(crate) fn vertex(&self, index: u32) -> Point {
+        match *self {
+            Self::Slice { vertices, origin } => {
+                relative(vertices.get(index as usize).copied().unwrap_or_default(), origin)
+            }
+            Self::Outline { outline, contour } => outline.vertex(contour, index),
+        }
+    }
+
+    /// The index that follows, and its vertex.
+    #[inline]
+    pub(crate) fn step(&self, index: u32, is_forward: bool) -> (u32, Point) {
+        let next = match *self {
+            Self::Slice { vertices, .. } => next_index(vertices, index, is_forward),
+            Self::Outline { outline, contour } => outline.next(contour, index, is_forward),
+        };
+        (next, self.vertex(next))
+    }
+}
+
+impl<'a> Source<'a> {
     pub(crate) fn contours(&self) -> u32 {
         match self {
             Self::Contours { contours, .. } => u32::try_from(contours.len()).unwrap_or(u32::MAX),
@@ -66,30 +95,18 @@ impl Source<'_> {
     }
 
     #[inline]
-    pub(crate) fn vertex(&self, contour: u32, index: u32) -> Point {
+    pub(crate) fn contour(&self, contour: u32) -> Contour<'a> {
         match *self {
             Self::Contours { contours, origin } => {
-                let vertex = contours.contour(contour as usize).get(index as usize).copied().unwrap_or_default();
-                relative(vertex, origin)
+                Contour::Slice { vertices: contours.contour(contour as usize), origin }
             }
-            Self::Outline(outline) => outline.vertex(contour, index),
+            Self::Outline(outline) => Contour::Outline { outline, contour },
         }
     }
 
-    /// The index that follows, and its vertex.
     #[inline]
-    pub(crate) fn step(&self, contour: u32, index: u32, is_forward: bool) -> (u32, Point) {
-        match *self {
-            Self::Contours { contours, origin } => {
-                let vertices = contours.contour(contour as usize);
-                let next = next_index(vertices, index, is_forward);
-                (next, relative(vertices.get(next as usize).copied().unwrap_or_default(), origin))
-            }
-            Self::Outline(outline) => {
-                let next = outline.next(contour, index, is_forward);
-                (next, outline.vertex(contour, next))
-            }
-        }
+    pub(crate) fn vertex(&self, contour: u32, index: u32) -> Point {
+        self.contour(contour).vertex(index)
     }
 
     /// For each vertex at which a contour turns down, its contour, its index and its height.
@@ -99,11 +116,12 @@ impl Source<'_> {
     pub(crate) fn for_each_top(&self, mut found: impl FnMut(u32, u32, i32)) {
         for contour in 0..self.contours() {
             let Some(first) = self.first(contour) else { continue };
-            let start = self.vertex(contour, first).y;
+            let vertices = self.contour(contour);
+            let start = vertices.vertex(first).y;
             // How the contour arrives at its first vertex: by its last edge that is not flat.
             let mut before = first;
             let mut went_up = loop {
-                let (index, point) = self.step(contour, before, false);
+                let (index, point) = vertices.step(before, false);
                 before = index;
                 if point.y != start || index == first {
                     break point.y > start;
@@ -111,7 +129,7 @@ impl Source<'_> {
             };
             let (mut index, mut y) = (first, start);
             loop {
-                let (next, point) = self.step(contour, index, true);
+                let (next, point) = vertices.step(index, true);
                 if point.y > y && went_up {
                     found(contour, index, y);
                 }

@@ -14,10 +14,13 @@
 use core::ops::Range;
 
 use crate::area::{
-    chain::{Line, Place, nearest},
+    chain::{Place, nearest},
     fill::Fill,
-    pixel::{MOST, Piece, add_pieces},
+    line::Line,
+    lines::Row,
+    pixel::{Piece, Pieces},
     source::{FINE_BITS, FINE_ONE},
+    winding::Winding,
 };
 
 /// What the rounding of columns to 2^-16 pixel may make of two that are equal.
@@ -35,7 +38,7 @@ const ALL: Range<i64> = i64::MIN..i64::MAX;
 #[inline(never)]
 pub(super) fn sweep(fill: &mut Fill<'_, '_>, place: usize, end: usize, is_last: bool) -> bool {
     if is_last {
-        fill.sweep_columns(place, end, &ALL);
+        fill.sweep_columns(place, end, 0, &ALL);
         return fill.pass_columns(place, end, &ALL) || is_last;
     }
     let (mut low, mut high) = (i32::MAX, i32::MIN);
@@ -43,6 +46,7 @@ pub(super) fn sweep(fill: &mut Fill<'_, '_>, place: usize, end: usize, is_last: 
         low = low.min(fill.table.place(at).low);
         high = high.max(fill.table.chain(at).map_or(i32::MIN, |chain| chain.high));
     }
+    let mut pieces = Pieces::new();
     (low >> FINE_BITS..=high >> FINE_BITS).all(|column| {
         let columns = i64::from(column) << 32..(i64::from(column) + 1) << 32;
         // Those that have a part in the column come first.
@@ -57,39 +61,67 @@ pub(super) fn sweep(fill: &mut Fill<'_, '_>, place: usize, end: usize, is_last: 
                 among += 1;
             }
         }
-        fill.sweep_pixel(place, among, &columns).unwrap_or_else(|| {
-            fill.sweep_columns(place, among, &columns);
-            fill.pass_columns(place, among, &columns)
-        })
+        fill.sweep_pixel((place, among), column, &columns, &mut pieces)
     })
 }
 
 impl Fill<'_, '_> {
-    /// Adds the pieces of a column, if there is room for all of them.
-    fn sweep_pixel(&mut self, place: usize, end: usize, columns: &Range<i64>) -> Option<bool> {
-        let (source, row_top) = (self.table.source, self.row_top());
-        let mut pieces = [Piece::NONE; MOST];
-        let mut count = 0;
-        for at in place..end {
-            let chain = self.table.chain(at)?;
-            for line in chain.lines(&source, row_top).filter_map(|line| line.within(columns)) {
-                *pieces.get_mut(count)? = Piece::new(line, chain.direction);
-                count += 1;
+    /// Adds the pieces of a column, in parts of its height if there is not room for all of them; `false` where there are too
+    /// many levels behind them.
+    fn sweep_pixel(
+        &mut self,
+        (place, end): (usize, usize),
+        column: i32,
+        columns: &Range<i64>,
+        pieces: &mut Pieces,
+    ) -> bool {
+        let mut right = Winding::empty();
+        let (mut y, mut to, mut is_known) = (0, FINE_ONE, true);
+        while y < FINE_ONE {
+            if !self.gather((place, end), columns, y..to, pieces) {
+                if to - y > 1 {
+                    to = y + (to - y) / 2;
+                    continue;
+                }
+                self.sweep_columns(place, end, y, columns);
+                return self.pass_columns(place, end, columns);
             }
+            let winding = (self.winding.levels(), &mut right);
+            let is_added = pieces.add((column, y..to), winding, self.inside, &mut self.accumulator);
+            is_known = is_known && is_added;
+            (y, to) = (to, FINE_ONE);
         }
-        let mut after = self.winding;
-        let pieces = pieces.get_mut(..count)?;
-        let is_known = pieces.iter().all(|piece| {
-            let (top, bottom, direction) = piece.heights();
-            after.pass(top, bottom, i32::from(direction), &mut |_, _, _| {}).is_ok()
-        });
-        add_pieces(pieces, self.winding.levels(), self.inside, &mut self.accumulator);
-        self.winding = after;
-        Some(is_known)
+        self.winding = right;
+        is_known
     }
 
-    fn sweep_columns(&mut self, place: usize, end: usize, columns: &Range<i64>) {
-        let mut y = 0;
+    /// The pieces between two heights; `false` where there is no room for all.
+    fn gather(
+        &self,
+        (place, end): (usize, usize),
+        columns: &Range<i64>,
+        heights: Range<i32>,
+        pieces: &mut Pieces,
+    ) -> bool {
+        let row = self.row();
+        pieces.clear();
+        for at in place..end {
+            let Some(chain) = self.table.chain(at) else { break };
+            if chain.top >= heights.end || chain.bottom <= heights.start {
+                continue;
+            }
+            for line in chain.lines(&row).filter_map(|line| line.within(columns)) {
+                let (top, bottom) = (line.y0.max(heights.start), line.y1.min(heights.end));
+                if top < bottom && !pieces.push(Piece::new(&line.between(top, bottom), chain.direction, columns.start))
+                {
+                    return false;
+                }
+            }
+        }
+        true
+    }
+
+    fn sweep_columns(&mut self, place: usize, end: usize, mut y: i32, columns: &Range<i64>) {
         while y < FINE_ONE {
             y = self.sweep_band(place, end, y, columns);
         }
@@ -97,13 +129,13 @@ impl Fill<'_, '_> {
 
     /// The winding behind the columns; the extents, which were in use for something else, are found out again.
     fn pass_columns(&mut self, place: usize, end: usize, columns: &Range<i64>) -> bool {
-        let (source, row_top) = (self.table.source, self.row_top());
+        let row = Row { source: self.table.source, top: self.row_top(), kept: self.kept.lines() };
         let mut is_known = true;
         for at in place..end {
             let Some(chain) = self.table.chain_mut(at) else { break };
-            let low = chain.measure(&source, row_top);
+            let low = chain.measure(&row);
             let direction = i32::from(chain.direction);
-            for line in chain.lines(&source, row_top).filter_map(|line| line.within(columns)) {
+            for line in chain.lines(&row).filter_map(|line| line.within(columns)) {
                 is_known = is_known && self.winding.pass(line.y0, line.y1, direction, &mut |_, _, _| {}).is_ok();
             }
             let place = Place { low, ..self.table.place(at) };
@@ -159,7 +191,7 @@ impl Fill<'_, '_> {
     /// The line of a chain that goes on below a height.
     fn line_at(&self, slot: u32, y: i32, columns: &Range<i64>) -> Option<Line> {
         let chain = self.table.slots.get(slot as usize)?;
-        chain.lines(&self.table.source, self.row_top()).filter_map(|line| line.within(columns)).find(|line| line.y1 > y)
+        chain.lines(&self.row()).filter_map(|line| line.within(columns)).find(|line| line.y1 > y)
     }
 
     /// Orders what is there between two heights, or down to the first crossing; `low` and `high` become the columns at both.

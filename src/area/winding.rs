@@ -39,6 +39,25 @@ impl Winding {
         Self { levels: [Level { end: FINE_ONE, winding }; CAPACITY], count: 1 }
     }
 
+    /// Of no height yet.
+    pub(crate) const fn empty() -> Self {
+        Self { count: 0, ..Self::new(0) }
+    }
+
+    /// Goes on down to `end`.
+    #[inline]
+    pub(crate) fn append(&mut self, end: i32, winding: i32) -> Result<(), TooManyLevels> {
+        if let Some(last) = self.count.checked_sub(1).and_then(|last| self.levels.get_mut(last))
+            && last.winding == winding
+        {
+            last.end = end;
+            return Ok(());
+        }
+        *self.levels.get_mut(self.count).ok_or(TooManyLevels)? = Level { end, winding };
+        self.count += 1;
+        Ok(())
+    }
+
     #[inline]
     pub(crate) fn levels(&self) -> &[Level] {
         self.levels.get(..self.count).unwrap_or_default()
