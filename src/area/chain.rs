@@ -18,7 +18,7 @@
 use crate::area::{
     accumulator::{Accumulator, Steepness, areas_beside},
     division::ratio,
-    line::Line,
+    line::{Line, ceil, finest, floor},
     lines::{Course, Kept, Lines, Row},
     source::{FINE_BITS, FINE_ONE, Source},
 };
@@ -342,28 +342,3 @@ impl Default for CoverageEdge {
 }
 
 const _: () = assert!(size_of::<CoverageEdge>() == 80);
-
-/// From 2^-16 pixel to 2^-32.
-#[inline]
-pub(super) fn finest(x: i32) -> i64 {
-    i64::from(x) << FINE_BITS
-}
-
-/// From 2^-32 pixel to 2^-16.
-#[inline]
-fn floor(x: i64) -> i32 {
-    #[allow(clippy::cast_possible_truncation, reason = "at most 2^30")]
-    let x = (x >> FINE_BITS) as i32;
-    x
-}
-
-#[inline]
-fn ceil(x: i64) -> i32 {
-    floor(x + i64::from(FINE_ONE - 1))
-}
-
-/// The same, to the nearest.
-#[inline]
-pub(super) fn nearest(x: i64) -> i32 {
-    floor(x + i64::from(FINE_ONE / 2))
-}

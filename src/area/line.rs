@@ -2,7 +2,10 @@
 
 use core::ops::Range;
 
-use crate::area::accumulator::{Accumulator, Steepness};
+use crate::area::{
+    accumulator::{Accumulator, Steepness},
+    source::{FINE_BITS, FINE_ONE},
+};
 
 /// Columns in 2^-32 pixel, heights in 2^-16 from the top of the row; y0 < y1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -76,4 +79,29 @@ impl Line {
         accumulator
             .add(self.x0, self.x1, dy, weight, || Steepness::of_segment(self.x0.abs_diff(self.x1), dy.unsigned_abs()));
     }
+}
+
+/// From 2^-16 pixel to 2^-32.
+#[inline]
+pub(super) fn finest(x: i32) -> i64 {
+    i64::from(x) << FINE_BITS
+}
+
+/// From 2^-32 pixel to 2^-16.
+#[inline]
+pub(super) fn floor(x: i64) -> i32 {
+    #[allow(clippy::cast_possible_truncation, reason = "at most 2^30")]
+    let x = (x >> FINE_BITS) as i32;
+    x
+}
+
+#[inline]
+pub(super) fn ceil(x: i64) -> i32 {
+    floor(x + i64::from(FINE_ONE - 1))
+}
+
+/// The same, to the nearest.
+#[inline]
+pub(super) fn nearest(x: i64) -> i32 {
+    floor(x + i64::from(FINE_ONE / 2))
 }

@@ -7,8 +7,7 @@
 use core::slice;
 
 use crate::area::{
-    chain::finest,
-    line::Line,
+    line::{Line, finest},
     source::{Contour, FINE_ONE, Point, Source},
 };
 

@@ -14,9 +14,9 @@
 use core::ops::Range;
 
 use crate::area::{
-    chain::{Place, nearest},
+    chain::Place,
     fill::Fill,
-    line::Line,
+    line::{Line, nearest},
     lines::Row,
     pixel::{Piece, Pieces},
     source::{FINE_BITS, FINE_ONE},
