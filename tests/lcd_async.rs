@@ -2,12 +2,15 @@
 //! what a framebuffer holds, and pixels go over once.
 
 use std::{
-    cell::RefCell,
+    cell::{Cell, RefCell},
     convert::Infallible,
     future::{Future, poll_fn},
     pin::pin,
     rc::Rc,
+    sync::mpsc::{Sender, channel},
     task::{Context, Poll, Waker},
+    thread,
+    time::Duration,
 };
 
 use embedded_graphics::{
@@ -115,9 +118,14 @@ impl DelayNs for NoDelay {
     async fn delay_ns(&mut self, _: u32) {}
 }
 
+/// Until the executor has had a look at everybody else.
 async fn wait() {
     let mut waited = false;
-    poll_fn(|_| if std::mem::replace(&mut waited, true) { Poll::Ready(()) } else { Poll::Pending }).await;
+    poll_fn(|context| {
+        context.waker().wake_by_ref();
+        if std::mem::replace(&mut waited, true) { Poll::Ready(()) } else { Poll::Pending }
+    })
+    .await;
 }
 
 fn block_on<T>(future: impl Future<Output = T>) -> T {
@@ -138,37 +146,77 @@ where
     Circle::new(Point::new(220, 90), 60).antialiased(Rgb565::CSS_STEEL_BLUE, InPlace).opacity(170).draw_on(target)
 }
 
-#[test]
-fn bands_by_an_async_driver() {
+/// The scene in bands, over the bus; what the panel shows then, and how many bytes of pixels it was sent.
+async fn show() -> (Vec<u8>, usize) {
+    let panel = Panel { pixels: vec![0x11; 2 * 320 * 240], ..Panel::default() };
+    let bus = Bus(Rc::new(RefCell::new(panel)));
+    let mut lcd = Builder::new(ILI9341Rgb565, SpiInterface::new(bus.clone(), bus.clone()))
+        .reset_pin(bus.clone())
+        .orientation(Orientation::new().rotate(Rotation::Deg90))
+        .init(&mut NoDelay)
+        .await
+        .unwrap_or_else(|_| panic!("the panel answers nothing"));
+    // As after a real reset line.
+    bus.0.borrow_mut().pixel_bytes = 0;
+    let mut bands = Bands::<Rgb565, Packed, _, 2>::new([[0; 640 * 16]; 2], SCREEN, RawU16::new(0).into()).unwrap();
+    bands
+        .draw_async(
+            |band| scene(band),
+            async |band| {
+                let Rectangle { top_left, size } = band.bounding_box();
+                let (x, y) = (top_left.x as u16, top_left.y as u16);
+                lcd.show_raw_data(x, y, size.width as u16, size.height as u16, band.units()).await
+            },
+        )
+        .await
+        .unwrap_or_else(|_| panic!("the bus takes everything"));
+    let mut panel = bus.0.borrow_mut();
+    (std::mem::take(&mut panel.pixels), panel.pixel_bytes)
+}
+
+fn whole() -> Vec<u8> {
     let mut whole =
         Framebuffer::<Rgb565, Packed, _>::new(vec![0; buffer_size::<Rgb565, Packed>(320, 240)], SCREEN).unwrap();
     scene(&mut whole).unwrap();
+    whole.units().to_vec()
+}
 
-    let panel = Panel { pixels: vec![0x11; 2 * 320 * 240], ..Panel::default() };
-    let bus = Bus(Rc::new(RefCell::new(panel)));
-    block_on(async {
-        let mut lcd = Builder::new(ILI9341Rgb565, SpiInterface::new(bus.clone(), bus.clone()))
-            .reset_pin(bus.clone())
-            .orientation(Orientation::new().rotate(Rotation::Deg90))
-            .init(&mut NoDelay)
-            .await
-            .unwrap_or_else(|_| panic!("the panel answers nothing"));
-        // As after a real reset line.
-        bus.0.borrow_mut().pixel_bytes = 0;
-        let mut bands = Bands::<Rgb565, Packed, _, 2>::new([[0; 640 * 16]; 2], SCREEN, RawU16::new(0).into()).unwrap();
-        bands
-            .draw_async(
-                |band| scene(band),
-                async |band| {
-                    let Rectangle { top_left, size } = band.bounding_box();
-                    let (x, y) = (top_left.x as u16, top_left.y as u16);
-                    lcd.show_raw_data(x, y, size.width as u16, size.height as u16, band.units()).await
-                },
-            )
-            .await
-            .unwrap_or_else(|_| panic!("the bus takes everything"));
+#[test]
+fn bands_by_an_async_driver() {
+    let (pixels, pixel_bytes) = block_on(show());
+    assert!(pixels == whole());
+    assert_eq!(pixel_bytes, 2 * 320 * 240);
+}
+
+#[embassy_executor::task]
+async fn show_and_tell(shown: Sender<(Vec<u8>, usize, usize)>, turns: Rc<Cell<usize>>) {
+    let (pixels, pixel_bytes) = show().await;
+    shown.send((pixels, pixel_bytes, turns.get())).expect("the test waits");
+}
+
+#[embassy_executor::task]
+async fn count_turns(turns: Rc<Cell<usize>>) {
+    loop {
+        turns.set(turns.get() + 1);
+        wait().await;
+    }
+}
+
+/// As a task of embassy's executor, with another that has its turn at every transfer.
+#[test]
+fn bands_as_a_task_of_embassy() {
+    let (sender, shown) = channel();
+    thread::spawn(move || {
+        let executor = Box::leak(Box::new(embassy_executor::Executor::new()));
+        let turns = Rc::new(Cell::new(0));
+        executor.run(|spawner| {
+            spawner.spawn(show_and_tell(sender, turns.clone()).expect("there is room for one"));
+            spawner.spawn(count_turns(turns).expect("there is room for one"));
+        });
     });
-    let panel = bus.0.borrow();
-    assert!(panel.pixels == whole.units());
-    assert_eq!(panel.pixel_bytes, 2 * 320 * 240);
+    let (pixels, pixel_bytes, turns) = shown.recv_timeout(Duration::from_secs(60)).expect("the task ends");
+    assert!(pixels == whole());
+    assert_eq!(pixel_bytes, 2 * 320 * 240);
+    // Of 15 bands, each transfer waits at least once.
+    assert!(turns >= 15, "{turns}");
 }

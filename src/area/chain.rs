@@ -237,7 +237,7 @@ impl CoverageEdge {
     }
 
     /// The lines that it consists of in the row, downwards.
-    #[inline]
+    #[cfg_attr(target_pointer_width = "64", inline)]
     pub(super) fn lines<'r>(&self, row: &Row<'r>) -> Lines<'r> {
         match self.kept_lines(row) {
             [] => Lines::worked_out(self.course(row.source, row.top)),
@@ -251,7 +251,7 @@ impl CoverageEdge {
         row.kept.get(first..first + usize::from(self.kept)).unwrap_or_default()
     }
 
-    #[inline]
+    #[cfg_attr(target_pointer_width = "64", inline)]
     fn course<'r>(&self, source: Source<'r>, row_top: i32) -> Course<'r> {
         let vertices = source.contour(self.contour);
         let first = (self.index != self.top_index || self.ends).then_some(self.top_index);

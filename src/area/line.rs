@@ -4,6 +4,7 @@ use core::ops::Range;
 
 use crate::area::{
     accumulator::{Accumulator, Steepness},
+    division::{floor_ratio, part_of},
     source::{FINE_BITS, FINE_ONE},
 };
 
@@ -18,7 +19,7 @@ pub(super) struct Line {
 
 impl Line {
     /// Where it is at a height.
-    #[inline]
+    #[cfg_attr(target_pointer_width = "64", inline)]
     pub(super) fn x_at(&self, y: i32) -> i64 {
         if y == self.y0 {
             return self.x0;
@@ -27,22 +28,19 @@ impl Line {
             return self.x1;
         }
         // At most 2^46 and 2^16.
-        self.x0 + ((self.x1 - self.x0) * i64::from(y - self.y0)).div_euclid(i64::from((self.y1 - self.y0).max(1)))
+        self.x0 + floor_ratio((self.x1 - self.x0) * i64::from(y - self.y0), (self.y1 - self.y0).unsigned_abs())
     }
 
     /// At which height it is at a column.
-    #[inline]
+    #[cfg_attr(target_pointer_width = "64", inline)]
     fn y_at(&self, x: i64) -> i32 {
-        // At most 2^16 and 2^46.
-        let product = i64::from(self.y1 - self.y0) * (x - self.x0);
-        let dy = product.checked_div(self.x1 - self.x0).unwrap_or(0);
-        #[allow(clippy::cast_possible_truncation, reason = "between both ends")]
-        let y = self.y0 + dy as i32;
-        y
+        // At most 2^46 and 2^16.
+        let dy = part_of(x.abs_diff(self.x0), (self.y1 - self.y0).unsigned_abs(), self.x1.abs_diff(self.x0));
+        self.y0 + dy.cast_signed()
     }
 
     /// What of it lies between two columns, the left one belonging to it.
-    #[inline]
+    #[cfg_attr(target_pointer_width = "64", inline)]
     pub(super) fn within(&self, columns: &Range<i64>) -> Option<Self> {
         let (low, high) = (self.x0.min(self.x1), self.x0.max(self.x1));
         if low >= columns.end || high < columns.start || (high == columns.start && low < high) {
@@ -68,12 +66,12 @@ impl Line {
         (line.y0 < line.y1).then_some(line)
     }
 
-    #[inline]
+    #[cfg_attr(target_pointer_width = "64", inline)]
     pub(super) fn between(&self, y0: i32, y1: i32) -> Self {
         Self { x0: self.x_at(y0), y0, x1: self.x_at(y1), y1 }
     }
 
-    #[inline]
+    #[cfg_attr(target_pointer_width = "64", inline)]
     pub(super) fn add(&self, weight: i32, accumulator: &mut Accumulator) {
         let dy = self.y1 - self.y0;
         accumulator

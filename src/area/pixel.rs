@@ -18,6 +18,7 @@ use core::ops::Range;
 use crate::{
     area::{
         accumulator::Accumulator,
+        division::{floor_ratio, part_of},
         line::Line,
         winding::{Level, Winding},
     },
@@ -66,7 +67,7 @@ impl Piece {
         #[allow(clippy::cast_possible_truncation, reason = "from 0 to 2^29")]
         let within = |x: i64| ((x - left) >> (32 - PIECE_BITS)) as i32;
         let (x0, x1) = (within(line.x0), within(line.x1));
-        let slope = (i64::from(x1 - x0) << 16) / i64::from((line.y1 - line.y0).max(1));
+        let slope = floor_ratio(i64::from(x1 - x0) << 16, (line.y1 - line.y0).unsigned_abs());
         Self { x0, y0: line.y0, x1, y1: line.y1, slope, above: x0, direction, ..Self::NONE }
     }
 
@@ -238,9 +239,8 @@ impl Pieces {
             let (above, below) = (right.0 - left.0, right.1 - left.1);
             if above < -TOLERANCE || below < -TOLERANCE {
                 let (above, below) = (above.unsigned_abs(), below.unsigned_abs());
-                let moved = u64::from((to - y).unsigned_abs()) * u64::from(above);
-                #[allow(clippy::cast_possible_truncation, reason = "at most the height of the band")]
-                let crossing = y + (moved / u64::from((above + below).max(1))) as i32;
+                let moved = part_of(above.into(), (to - y).unsigned_abs(), (above + below).into());
+                let crossing = y + moved.cast_signed();
                 if crossing > y {
                     cut = cut.min(crossing);
                 }

@@ -15,6 +15,7 @@ use core::ops::Range;
 
 use crate::area::{
     chain::Place,
+    division::part_of,
     fill::Fill,
     line::{Line, nearest},
     lines::Row,
@@ -103,22 +104,29 @@ impl Fill<'_, '_> {
         heights: Range<i32>,
         pieces: &mut Pieces,
     ) -> bool {
-        let row = self.row();
         pieces.clear();
+        let mut has_room = true;
+        self.each_line((place, end), columns, &mut |line, direction| {
+            let (top, bottom) = (line.y0.max(heights.start), line.y1.min(heights.end));
+            if top < bottom {
+                has_room = has_room && pieces.push(Piece::new(&line.between(top, bottom), direction, columns.start));
+            }
+        });
+        has_room
+    }
+
+    /// What chains have between two columns, with their directions.
+    #[inline(never)]
+    fn each_line(&self, (place, end): (usize, usize), columns: &Range<i64>, found: &mut dyn FnMut(&Line, i8)) {
+        let row = self.row();
         for at in place..end {
             let Some(chain) = self.table.chain(at) else { break };
-            if chain.top >= heights.end || chain.bottom <= heights.start {
-                continue;
-            }
-            for line in chain.lines(&row).filter_map(|line| line.within(columns)) {
-                let (top, bottom) = (line.y0.max(heights.start), line.y1.min(heights.end));
-                if top < bottom && !pieces.push(Piece::new(&line.between(top, bottom), chain.direction, columns.start))
-                {
-                    return false;
+            for line in chain.lines(&row) {
+                if let Some(line) = line.within(columns) {
+                    found(&line, chain.direction);
                 }
             }
         }
-        true
     }
 
     fn sweep_columns(&mut self, place: usize, end: usize, mut y: i32, columns: &Range<i64>) {
@@ -129,17 +137,18 @@ impl Fill<'_, '_> {
 
     /// The winding behind the columns; the extents, which were in use for something else, are found out again.
     fn pass_columns(&mut self, place: usize, end: usize, columns: &Range<i64>) -> bool {
-        let row = Row { source: self.table.source, top: self.row_top(), kept: self.kept.lines() };
-        let mut is_known = true;
+        let (mut winding, mut is_known) = (self.winding, true);
+        self.each_line((place, end), columns, &mut |line, direction| {
+            is_known = is_known && winding.pass(line.y0, line.y1, direction.into(), &mut |_, _, _| {}).is_ok();
+        });
+        self.winding = winding;
         for at in place..end {
-            let Some(chain) = self.table.chain_mut(at) else { break };
-            let low = chain.measure(&row);
-            let direction = i32::from(chain.direction);
-            for line in chain.lines(&row).filter_map(|line| line.within(columns)) {
-                is_known = is_known && self.winding.pass(line.y0, line.y1, direction, &mut |_, _, _| {}).is_ok();
+            let row = Row { source: self.table.source, top: self.row_top(), kept: self.kept.lines() };
+            if let Some(chain) = self.table.chain_mut(at) {
+                let low = chain.measure(&row);
+                let place = Place { low, ..self.table.place(at) };
+                self.table.set_place(at, place);
             }
-            let place = Place { low, ..self.table.place(at) };
-            self.table.set_place(at, place);
         }
         is_known
     }
@@ -225,9 +234,8 @@ impl Fill<'_, '_> {
                 let right = (self.table.place(at).low, self.table.chain(at).map_or(0, |chain| chain.high));
                 let (above, below) = (right.0.saturating_sub(left.0), right.1.saturating_sub(left.1));
                 if above < -TOLERANCE || below < -TOLERANCE {
-                    let (above, below) = (i64::from(above.unsigned_abs()), i64::from(below.unsigned_abs()));
-                    #[allow(clippy::cast_possible_truncation, reason = "at most the height of the band")]
-                    let crossing = y + (i64::from(to - y) * above / (above + below).max(1)) as i32;
+                    let (above, below) = (u64::from(above.unsigned_abs()), u64::from(below.unsigned_abs()));
+                    let crossing = y + part_of(above, (to - y).unsigned_abs(), above + below).cast_signed();
                     if crossing > y {
                         cut = cut.min(crossing);
                     }
