@@ -97,11 +97,13 @@ pub(super) struct Pieces {
     count: usize,
     live: [u8; MOST],
     alive: usize,
+    /// Where the first of them ends.
+    end: i32,
 }
 
 impl Pieces {
     pub(super) const fn new() -> Self {
-        Self { pieces: [Piece::NONE; MOST], count: 0, live: [0; MOST], alive: 0 }
+        Self { pieces: [Piece::NONE; MOST], count: 0, live: [0; MOST], alive: 0, end: i32::MAX }
     }
 
     pub(super) fn clear(&mut self) {
@@ -130,7 +132,7 @@ impl Pieces {
         let mut starts =
             starts.get(..self.count).unwrap_or_default().iter().map(|start| (start >> 8, start & 0xFF)).peekable();
         let (mut y, mut level, mut is_known) = (heights.start, 0, true);
-        self.alive = 0;
+        (self.alive, self.end) = (0, i32::MAX);
         while y < heights.end {
             while let Some((_, piece)) = starts.next_if(|start| start.0 <= y) {
                 self.start(piece);
@@ -174,6 +176,7 @@ impl Pieces {
             let piece = piece as u8;
             *place = piece;
             self.alive += 1;
+            self.end = self.end.min(self.piece(self.alive - 1).y1);
         }
     }
 
@@ -186,9 +189,7 @@ impl Pieces {
     /// Orders what is there between two heights, or down to the first end or crossing.
     #[inline]
     fn sort_band(&mut self, y: i32, mut to: i32) -> i32 {
-        for at in 0..self.alive {
-            to = to.min(self.piece(at).y1);
-        }
+        to = to.min(self.end);
         // A crossing that is found may hide an earlier one; rounded ones could go on without an end.
         for _ in 0..TRIES {
             let (mut last, mut is_in_order) = ((i32::MIN, i32::MIN), true);
@@ -261,6 +262,7 @@ impl Pieces {
         accumulator: &mut Accumulator,
     ) -> i32 {
         let mut kept = 0;
+        self.end = i32::MAX;
         for at in 0..self.alive {
             let number = self.live[at % MOST];
             let piece = &mut self.pieces[usize::from(number) % MOST];
@@ -275,6 +277,7 @@ impl Pieces {
                 piece.add((piece.x1, piece.y1), 0, column, accumulator);
             } else {
                 self.live[kept % MOST] = number;
+                self.end = self.end.min(piece.y1);
                 kept += 1;
             }
         }
