@@ -178,7 +178,14 @@ impl<C: Mix + From<Rgb888>> Brush<'_, '_, C> {
         }
     }
 
+    /// By way of a shape of one type: there are dozens, and as many ways to paint.
     fn blend(&mut self, shape: impl Cover) {
+        let touched = shape.touched();
+        let send = |clip: &PixelRect, mut sink: &mut dyn CoverageSink<Error = Stopped>| shape.coverage(clip, &mut sink);
+        self.blend_any(AnyShape { touched, send: &send });
+    }
+
+    fn blend_any(&mut self, shape: AnyShape<'_>) {
         match self.colours {
             Colours::One(colour) => {
                 let blended = shape.antialiased(C::from(*colour), ReadBack).opacity(self.opacity);
@@ -188,7 +195,7 @@ impl<C: Mix + From<Rgb888>> Brush<'_, '_, C> {
         }
     }
 
-    fn blend_gradient(&mut self, shape: impl Cover, gradient: &Gradient) {
+    fn blend_gradient(&mut self, shape: AnyShape<'_>, gradient: &Gradient) {
         let Ok(colours) = Stops::new(&gradient.stops, gradient.spread) else { return };
         let through = opacities(gradient, self.opacity);
         let through = through.as_deref().and_then(|stops| Stops::new(stops, gradient.spread).ok());
@@ -206,7 +213,7 @@ impl<C: Mix + From<Rgb888>> Brush<'_, '_, C> {
         }
     }
 
-    fn blend_paint(&mut self, shape: impl Cover, colours: impl Paint<Rgb888>, through: Option<impl Paint<Gray8>>) {
+    fn blend_paint(&mut self, shape: AnyShape<'_>, colours: impl Paint<Rgb888>, through: Option<impl Paint<Gray8>>) {
         let colours = Converted(colours);
         let Ok(()) = match through {
             None => Painted::new(shape, colours).antialiased(ReadBack).draw_on(self.window),
@@ -255,6 +262,47 @@ impl<S: Shape> Cover for Wholly<S> {
         }
 
         self.0.spans(clip, &mut Whole(sink))
+    }
+}
+
+/// A shape of whatever type.
+struct AnyShape<'s> {
+    touched: PixelRect,
+    send: &'s dyn Fn(&PixelRect, &mut dyn CoverageSink<Error = Stopped>) -> Result<(), Stopped>,
+}
+
+/// The sink has kept its error.
+struct Stopped;
+
+impl Cover for AnyShape<'_> {
+    fn touched(&self) -> PixelRect {
+        self.touched.clone()
+    }
+
+    fn coverage<T: CoverageSink>(&self, clip: &PixelRect, sink: &mut T) -> Result<(), T::Error> {
+        struct Keeping<'s, T: CoverageSink>(&'s mut T, Result<(), T::Error>);
+
+        impl<T: CoverageSink> CoverageSink for Keeping<'_, T> {
+            type Error = Stopped;
+
+            fn span(&mut self, span: Span, coverage: u8) -> Result<(), Stopped> {
+                self.0.span(span, coverage).map_err(|error| {
+                    self.1 = Err(error);
+                    Stopped
+                })
+            }
+
+            fn run(&mut self, row: i32, column: i32, coverage: &[u8]) -> Result<(), Stopped> {
+                self.0.run(row, column, coverage).map_err(|error| {
+                    self.1 = Err(error);
+                    Stopped
+                })
+            }
+        }
+
+        let mut keeping = Keeping(sink, Ok(()));
+        let _ = (self.send)(clip, &mut keeping);
+        keeping.1
     }
 }
 

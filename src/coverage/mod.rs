@@ -37,3 +37,17 @@ pub trait CoverageSink {
     /// Whatever the sink cannot do; the shape stops at once.
     fn run(&mut self, row: i32, column: i32, coverage: &[u8]) -> Result<(), Self::Error>;
 }
+
+impl<S: CoverageSink + ?Sized> CoverageSink for &mut S {
+    type Error = S::Error;
+
+    #[inline]
+    fn span(&mut self, span: Span, coverage: u8) -> Result<(), S::Error> {
+        (**self).span(span, coverage)
+    }
+
+    #[inline]
+    fn run(&mut self, row: i32, column: i32, coverage: &[u8]) -> Result<(), S::Error> {
+        (**self).run(row, column, coverage)
+    }
+}

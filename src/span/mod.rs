@@ -41,6 +41,15 @@ pub trait SpanSink {
     fn span(&mut self, span: Span) -> Result<(), Self::Error>;
 }
 
+impl<S: SpanSink + ?Sized> SpanSink for &mut S {
+    type Error = S::Error;
+
+    #[inline]
+    fn span(&mut self, span: Span) -> Result<(), S::Error> {
+        (**self).span(span)
+    }
+}
+
 /// Receives the pixels of a shape as rectangles, each pixel once: what a display with an address window wants.
 ///
 /// Equal consecutive rows come as one rectangle. The first rows of the rectangles go down; columns go right among
