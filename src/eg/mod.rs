@@ -94,19 +94,16 @@
 //! 2.2 KiB for lines, 2.7 KiB for polylines, 3 KiB for triangles, 3.8 KiB for arcs, and up to 4.5 KiB for ellipses,
 //! rounded rectangles and sectors; less than 2 KiB for everything that is not anti-aliased.
 
-mod arc;
+mod boxes;
 mod builder;
-mod circle;
 mod curve;
 mod ellipse;
 mod layers;
 mod line;
-mod normal;
 mod outline;
 mod paint;
 mod pie;
 mod pixel_box;
-mod polyline;
 mod rectangle;
 mod rounded_rectangle;
 mod rows;
@@ -114,7 +111,6 @@ mod sector;
 mod stroked;
 mod style;
 mod styled;
-mod thick;
 mod thin;
 mod triangle;
 mod wedge;
