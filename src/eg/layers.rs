@@ -98,9 +98,11 @@ where
                     rows: top..top.saturating_add(ROWS).min(rows.end),
                     columns: left..left.saturating_add(COLUMNS).min(columns.end),
                 };
-                let (outer, inner) = (Tile::new(outer, &clip), Tile::new(inner, &clip));
-                if !(outer.is_empty && inner.is_empty) {
-                    self.draw_tile(&clip, &outer, &inner)?;
+                let [mut outside, mut inside] = [const { Tile::EMPTY }; 2];
+                outside.collect(outer, &clip);
+                inside.collect(inner, &clip);
+                if !(outside.is_empty && inside.is_empty) {
+                    self.draw_tile(&clip, &outside, &inside)?;
                 }
             }
         }
@@ -172,12 +174,14 @@ struct Tile {
 }
 
 impl Tile {
+    const EMPTY: Self = Self { left: 0, top: 0, is_empty: true, coverage: [0; PIXELS] };
+
+    /// Tiles are filled where they are: to return one would take its space twice.
     #[inline(never)]
-    fn new(area: &impl Cover, clip: &PixelRect) -> Self {
-        let PixelRect { rows, columns } = clip;
-        let mut tile = Self { left: columns.start, top: rows.start, is_empty: true, coverage: [0; PIXELS] };
-        match area.coverage(clip, &mut tile) {
-            Ok(()) => tile,
+    fn collect(&mut self, area: &impl Cover, clip: &PixelRect) {
+        (self.left, self.top) = (clip.columns.start, clip.rows.start);
+        match area.coverage(clip, self) {
+            Ok(()) => {}
             Err(never) => match never {},
         }
     }
