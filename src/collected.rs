@@ -28,7 +28,9 @@ impl core::error::Error for TooFewVertices {}
 /// Any outline as a [`Polygon`], non-zero, in vertices that the caller lends.
 ///
 /// Points are rounded to 1/256 pixel, which may change a pixel's coverage by 1/255. All contours become one, joined by
-/// edges that are gone along there and back, and so have no inside: two vertices more for each.
+/// edges that are gone along there and back, and so have no inside: two vertices more for each. What a stroke
+/// [inside or outside](crate::StrokeStyle::align) of its contours covers is more than the non-zero rule can say: it
+/// cannot be collected, but only be anti-aliased.
 ///
 /// # Errors
 ///

@@ -213,7 +213,7 @@ pub use paint::{
     LinearGradient, Masked, Mosaic, MosaicCell, MosaicError, MosaicScratchTooSmall, Paint, Painted, PaintedAntiAliased,
     Painting, Pattern, RadialGradient, Rounded, Solid, Spread, Stop, Stops, Tile, Tiles,
 };
-pub use path::{ArcTo, Element, Path, PathError, SvgElements, Transform};
+pub use path::{ArcTo, Element, Path, PathError, SvgElements, Transform, Transformed};
 pub use primitive::{Arc, ArcLine, CircleOutline, Ellipse, Rectangle, Ring, RoundedRectangle, Sector, TaperedLine};
 pub use scratch::{PolygonWithin, Scratch, ScratchSize, ScratchTooSmall, Within, edges_for};
 pub use seed_fill::{Connectivity, FillRegion, FillSegment, SeedFill, SeedFillError};

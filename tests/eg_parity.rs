@@ -144,6 +144,18 @@ where
         + StyledDimensions<Style<Rgb565>>
         + Debug,
 {
+    check_within(primitive, style, side, 0)
+}
+
+/// The same, with as many windows as that where embedded-graphics has fewer.
+fn check_within<P>(primitive: &P, style: &PrimitiveStyle<Rgb565>, side: i32, most_windows: usize) -> Result<u64, String>
+where
+    P: StyledDrawable<PrimitiveStyle<Rgb565>, Color = Rgb565>
+        + StyledDrawable<Style<Rgb565>, Color = Rgb565>
+        + StyledDimensions<PrimitiveStyle<Rgb565>>
+        + StyledDimensions<Style<Rgb565>>
+        + Debug,
+{
     let (pixels, theirs, ours) = difference(primitive, style, side);
     if pixels > 0 {
         return Err(format!(
@@ -153,9 +165,7 @@ where
             ours.rows()
         ));
     }
-    // Thin strokes of triangles are lines over each other, and over the fill.
-    let is_triangle = format!("{primitive:?}").starts_with("Triangle");
-    if ours.windows > theirs.windows && !is_triangle {
+    if ours.windows > most_windows.max(theirs.windows) {
         return Err(format!("{} windows in place of {}: {primitive:?}, {style:?}", ours.windows, theirs.windows));
     }
     let (theirs, ours) = (primitive.styled_bounding_box(style), primitive.styled_bounding_box(&Style::from(*style)));
@@ -321,14 +331,22 @@ fn polylines() {
     assert!(checked > 0);
 }
 
+/// Sides are lines of a run a row, or a column where they are steep, and the fill below them is a block a row. embedded-graphics
+/// looks for the ends of each row instead: where sides run beside each other, one window does there for two or three here.
+/// Of triangles within 80 pixels that is a quarter; on average, these have 82 windows where embedded-graphics has 108, as steep
+/// sides are sent column by column. To join runs that meet, the three sides would have to be stepped side by side, row
+/// by row, and steep ones be cut at every row.
 #[test]
 fn triangles_with_a_thin_stroke() {
     let sized = PrimitiveStyleBuilder::new().stroke_width(1).stroke_color(STROKE);
-    let styles = [sized.build(), sized.fill_color(FILL).build()];
     let checked = for_each_case(213, cases(20_000), |rng| {
         let reach = rng.pick(&[3, 10, 40]);
         let triangle = Triangle::new(place(rng, reach), place(rng, reach), place(rng, reach));
-        check(&triangle, &rng.pick(&styles), 100)
+        // The longest side meets every row, and the others one row more together.
+        let rows = triangle.bounding_box().size.height as usize;
+        let (style, most) =
+            if rng.one_in(2) { (sized.fill_color(FILL).build(), 3 * rows) } else { (sized.build(), 2 * rows + 1) };
+        check_within(&triangle, &style, 100, most)
     });
     assert!(checked > 0);
 }

@@ -4,8 +4,8 @@
 use std::f64::consts::{PI, TAU};
 
 use spanfill::{
-    Angle, Cap, Curves, Element, FinePoint, Join, Outline, OutlineSink, Path, Stroke, StrokeStyle, SvgElements,
-    Transform,
+    Align, Angle, Cap, Curves, Element, FinePoint, Join, Outline, OutlineSink, Path, Stroke, StrokeStyle, SvgElements,
+    Transform, Transformed, path,
 };
 
 type Point = (f64, f64);
@@ -678,4 +678,34 @@ fn no_stroke_is_too_wide_or_too_far() {
         }
     }
     let _ = Path::new(&[]).outline();
+}
+
+#[test]
+fn what_is_transformed_goes_around_what_it_did() {
+    let path = path!("M10 10H40V30L25 50Z");
+    let squeeze = Transform::new([[1 << 15, 1 << 14], [0, 1 << 17]], FinePoint::whole(3, -5));
+    let mirror = Transform::new([[-(1 << 16), 0], [0, 1 << 16]], FinePoint::whole(60, 0));
+    for align in [Align::Center, Align::Inside, Align::Outside] {
+        let stroke = Stroke::new(path, StrokeStyle::pixels(4).align(align));
+        let plain = contours(&stroke);
+        assert_eq!(contours(&Transformed::new(stroke, Transform::IDENTITY)), plain);
+        for transform in [squeeze, mirror, mirror.then(squeeze)] {
+            let transformed = Transformed::new(stroke, transform);
+            let found = contours(&transformed);
+            let extent = transformed.extent();
+            for (contour, before) in found.iter().zip(&plain) {
+                assert_eq!(contour.len(), before.len());
+                for &(x, y) in before {
+                    let FinePoint { x, y } = transform.apply(FinePoint::from_bits(x as i32, y as i32));
+                    assert!(contour.contains(&(x.into(), y.into())));
+                    assert!(extent.low.x <= x && x <= extent.high.x && extent.low.y <= y && y <= extent.high.y);
+                }
+            }
+            for (x, y) in [(11.5, 12.5), (8.7, 9.0), (25.5, 20.5), (39.3, 15.5), (43.5, 10.5), (50.5, 50.5)] {
+                let at = transform.apply(FinePoint::new(x, y));
+                let at = (f64::from(at.x) / 4096.0 + 1e-5, f64::from(at.y) / 4096.0 + 1e-5);
+                assert_eq!(winding(&found, at), winding(&plain, (x + 1e-5, y + 1e-5)), "{align:?} ({x}, {y})");
+            }
+        }
+    }
 }

@@ -1,7 +1,9 @@
 //! Strokes become outlines to fill or, when they are hairlines, thin lines.
 
 use kurbo::{Affine, BezPath, PathEl, Point};
-use spanfill::{Cap, Element, FinePoint, Join, Outline, OutlineSink, Path, Stroke, StrokeStyle, Vertex};
+use spanfill::{
+    Cap, Element, FinePoint, Join, Outline, OutlineSink, Path, Stroke, StrokeStyle, Transform, Transformed, Vertex,
+};
 use usvg::{
     LineCap, LineJoin,
     tiny_skia_path::{self, PathBuilder, PathSegment, StrokeDash},
@@ -15,8 +17,6 @@ pub(crate) enum Stroked {
     Lines(Vec<[Vertex; 2]>),
     /// To be filled by the non-zero rule: the crate's own stroke.
     Contours(Vec<Vec<Vertex>>),
-    /// The same, of a stroke that is squeezed once it is made, as the crate's are not.
-    Outline(BezPath),
 }
 
 /// What becomes of a stroke that is thinner than a pixel.
@@ -29,7 +29,7 @@ pub(crate) enum Hairlines {
     AsWideAsTheyAre,
 }
 
-/// The stroker keeps its curves within 1/(4 * scale) of the true offset curve: 1/32 pixel.
+/// Dashes are cut from curves to within 1/(4 * scale) pixel.
 const RESOLUTION_SCALE: f32 = 8.0;
 
 /// Strokes `path`, given in user units.
@@ -38,8 +38,8 @@ const RESOLUTION_SCALE: f32 = 8.0;
 /// row). So may be whatever is thinner than a pixel. The ends of such hairlines have no caps, they would be half a pixel at
 /// most.
 pub(crate) fn stroke(path: &BezPath, style: &usvg::Stroke, to_device: Affine, hairlines: Hairlines) -> Option<Stroked> {
-    // Stroked at the display's resolution, and only turned or squeezed afterwards: the stroker has single-precision
-    // numbers and absolute tolerances, which a drawing in units of miles or microns would meet.
+    // Stroked at the display's resolution, and only turned or squeezed afterwards: a drawing may be in units of miles or
+    // microns.
     let (resolution, least) = stretches(to_device);
     if !(resolution.is_finite() && resolution > 0.0) {
         return None;
@@ -53,7 +53,7 @@ pub(crate) fn stroke(path: &BezPath, style: &usvg::Stroke, to_device: Affine, ha
     let lengths: Option<Vec<f64>> =
         style.dasharray().map(|lengths| lengths.iter().map(|&length| in_pixels(length)).collect());
     let offset = in_pixels(style.dashoffset());
-    // Of thin lines, and of what is squeezed; the crate dashes what it strokes.
+    // Of thin lines; the crate dashes what it strokes.
     let dashed = || match &lengths {
         None => Some(pixels.clone()),
         Some(lengths) => {
@@ -78,18 +78,30 @@ pub(crate) fn stroke(path: &BezPath, style: &usvg::Stroke, to_device: Affine, ha
         }
         return Some(Stroked::Lines(flatten::edges(&chain)));
     }
-    if !is_squeezed {
-        let elements = elements(&(to_device * bez_path(&pixels)));
-        // The casts saturate, and the crate has an end of widths of its own.
-        let bits = |length: f64| (length * 256.0).round();
-        let dashes: Vec<u32> = lengths.unwrap_or_default().iter().map(|&length| bits(length) as u32).collect();
-        let style = crates_style(style, width as u32).dashes(&dashes).phase(bits(offset) as i32);
-        return Some(Stroked::Contours(contours(&Stroke::new(Path::new(&elements), style))));
-    }
-    // Dashes are applied already.
-    stroke.dash = None;
-    let outline = dashed()?.stroke(&stroke, RESOLUTION_SCALE)?;
-    Some(Stroked::Outline(to_device * bez_path(&outline)))
+    // What is not squeezed goes where it will be. All else is stroked about the origin, for the crate's factors to be as good
+    // as they can.
+    let plane = bez_path(&pixels);
+    let (plane, transform) = if is_squeezed {
+        let center = plane.control_box().center().to_vec2();
+        (Affine::translate(-center) * plane, in_fixed_point(to_device * Affine::translate(center)))
+    } else {
+        (to_device * plane, Transform::IDENTITY)
+    };
+    let elements = elements(&plane);
+    // The casts saturate, and the crate has an end of widths of its own.
+    let bits = |length: f64| (length * 256.0).round();
+    let dashes: Vec<u32> = lengths.unwrap_or_default().iter().map(|&length| bits(length) as u32).collect();
+    let style = crates_style(style, width as u32).dashes(&dashes).phase(bits(offset) as i32);
+    let outline = Transformed::new(Stroke::new(Path::new(&elements), style), transform);
+    Some(Stroked::Contours(contours(&outline)))
+}
+
+/// A transform in pixels as the crate's.
+fn in_fixed_point(transform: Affine) -> Transform {
+    let [xx, yx, xy, yy, x, y] = transform.as_coeffs();
+    // The cast saturates.
+    let factor = |factor: f64| (factor * 65536.0).round() as i32;
+    Transform::new([[xx, xy], [yx, yy]].map(|row| row.map(factor)), FinePoint::new(x, y))
 }
 
 /// A path in pixels as the crate's.
@@ -240,7 +252,6 @@ mod tests {
 
     fn outline_of(stroked: Option<Stroked>) -> BezPath {
         match stroked {
-            Some(Stroked::Outline(outline)) => outline,
             Some(Stroked::Contours(contours)) => {
                 let mut path = BezPath::new();
                 for contour in contours {
@@ -291,6 +302,41 @@ mod tests {
     fn a_squeezed_stroke_is_squeezed_after_stroking() {
         let area = outline(LINE, Affine::scale_non_uniform(8.0, 2.0)).area().abs();
         assert!((area - 16.0 * 20f64.sqrt()).abs() < 1e-2, "{area}");
+    }
+
+    #[test]
+    fn a_squeezed_ring_lies_between_two_ellipses() {
+        let circle = r#"<circle cx="100" cy="60" r="40" fill="none" stroke="red" stroke-width="10"/>"#;
+        for (to_device, is_mirrored) in [
+            (Affine::translate((30.0, -7.0)) * Affine::scale_non_uniform(3.0, 0.5), false),
+            (Affine::scale_non_uniform(0.75, -4.0), true),
+            (Affine::skew(0.8, 0.0) * Affine::rotate(0.3), false),
+        ] {
+            let ring = outline(circle, to_device);
+            let [a, b, c, d, ..] = to_device.as_coeffs();
+            let exact = std::f64::consts::PI * (45.0 * 45.0 - 35.0 * 35.0) * (a * d - b * c);
+            assert_eq!(exact < 0.0, is_mirrored);
+            assert!((ring.area().abs() - exact.abs()).abs() < 1e-3 * exact.abs(), "{} not {exact}", ring.area());
+            for degrees in 0..360 {
+                let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
+                let at = |radius: f64| to_device * Point::new(100.0 + radius * cos, 60.0 + radius * sin);
+                let is_inside = |radius: f64| ring.winding(at(radius)) != 0;
+                assert!(is_inside(35.2) && is_inside(44.8), "{degrees}");
+                assert!(!is_inside(34.8) && !is_inside(45.2), "{degrees}");
+            }
+        }
+    }
+
+    #[test]
+    fn dashes_are_as_long_as_before_they_are_squeezed() {
+        let dashed = r#"<path d="M10 10H50V50" fill="none" stroke="red" stroke-width="4" stroke-dasharray="15 5"/>"#;
+        let outline = outline(dashed, Affine::scale_non_uniform(2.0, 8.0));
+        // 15 of each 20, of 80 units in all, 4 wide; and the corner belongs to both of its lines, as to none.
+        let area = outline.area().abs();
+        assert!((area - 16.0 * 60.0 * 4.0).abs() < 1.0, "{area}");
+        let covered = |x: f64, y: f64| outline.winding(Point::new(2.0 * x, 8.0 * y)) != 0;
+        assert!(covered(11.0, 10.0) && covered(24.0, 10.0) && !covered(26.0, 10.0) && covered(31.0, 10.0));
+        assert!(covered(50.0, 11.0) && covered(50.0, 24.0) && !covered(50.0, 26.0) && covered(50.0, 31.0));
     }
 
     #[test]

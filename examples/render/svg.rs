@@ -209,10 +209,6 @@ impl Walk {
                 let outline = Outline::filling(contours, spanfill::FillRule::NonZero);
                 self.items.extend(outline.map(|outline| Item { outline, colours, opacity, clip }));
             }
-            Some(Stroked::Outline(outline)) => {
-                let outline = Outline::filling(flatten::flatten(&outline), spanfill::FillRule::NonZero);
-                self.items.extend(outline.map(|outline| Item { outline, colours, opacity, clip }));
-            }
         }
     }
 
@@ -360,6 +356,31 @@ mod tests {
             <g clip-path="url(#b)" transform="translate(1 0)"><rect width="9" height="9"/></g>"#;
         let scene = scene(r#"width="9" height="9""#, content, None);
         assert_eq!(scene.items[0].clip, Rectangle::new(Pixel::new(2, 2), Size::new(2, 7)));
+    }
+
+    #[test]
+    fn a_clip_element_and_what_it_holds_have_transforms_of_their_own() {
+        let content = r#"<clipPath id="c" transform="translate(3 1)">
+                <rect width="2" height="1" transform="scale(2) translate(1 2)"/>
+            </clipPath>
+            <g transform="translate(10 20)"><rect width="40" height="40" clip-path="url(#c)"/></g>"#;
+        let scene = scene(r#"width="60" height="60""#, content, None);
+        assert_eq!(scene.items[0].clip, Rectangle::new(Pixel::new(15, 25), Size::new(4, 2)));
+        let turned = r#"<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9">
+            <clipPath id="c" transform="rotate(30)"><rect width="4" height="4"/></clipPath>
+            <rect width="9" height="9" clip-path="url(#c)"/></svg>"#;
+        let (_, missing) = scene_from(turned.as_bytes(), None, Hairlines::OnePixel).expect("a drawing");
+        assert!(missing.contains(&Missing::ClipPath));
+    }
+
+    /// As resvg's program has it; the nearest whole number would cut off a part of the drawing.
+    #[test]
+    fn sizes_are_rounded_up() {
+        let sizes = [("8.01", "4.4", (9, 5)), ("8", "4", (8, 4)), ("0.3", "7.999", (1, 8)), ("2mm", "1in", (8, 96))];
+        for (width, height, (columns, rows)) in sizes {
+            let scene = scene(&format!(r#"width="{width}" height="{height}""#), "", None);
+            assert_eq!(scene.size, Size::new(columns, rows), "{width} x {height}");
+        }
     }
 
     #[test]

@@ -1,57 +1,66 @@
-//! Ellipses: embedded-graphics' pixels, and polygons where they are blended.
+//! Circles and ellipses: embedded-graphics' pixels; where they are blended, exact circles, and polygons for ellipses.
 
-use embedded_graphics::primitives::Ellipse;
-use embedded_graphics_core::{draw_target::DrawTarget, primitives::Rectangle};
+use embedded_graphics::primitives::{Circle, Ellipse};
+use embedded_graphics_core::{Drawable, draw_target::DrawTarget, geometry::Size};
 
-use crate::{Blend, Mix};
+use crate::draw::Fill;
 
 use super::{
-    Blended,
+    boxes::Boxes,
     curve::Curve,
-    outline::{Layer, draw_outlines, push_ellipse},
+    layers::Layers,
+    outline::{draw_outlines, push_ellipse, vertex},
     paint::{Paint, Stroke},
-    pixel_box::PixelBox,
+    pixel_box::{PixelBox, to_i32},
     rows::draw_rows,
-    styled::Primitive,
+    styled::Boxed,
 };
 
-/// The box of the ellipse that the stroke ends at, and of the one that is filled.
-fn boxes(ellipse: &Ellipse, stroke: &Stroke) -> (PixelBox, PixelBox) {
-    let pixels = PixelBox::new(ellipse.top_left, ellipse.size);
-    (pixels.offset(stroke.outside()), pixels.offset(-stroke.inside()))
+/// The circle that touches the sides of a box.
+pub(super) fn exact(pixels: &PixelBox) -> crate::Circle {
+    crate::Circle::from_bits(vertex(pixels.center()), to_i32(128 * pixels.width))
 }
 
-impl Primitive for Ellipse {
-    #[inline(never)]
-    fn draw_aliased<D: DrawTarget>(&self, paint: &Paint<D::Color>, target: &mut D) -> Result<(), D::Error> {
-        let (outer, inner) = boxes(self, &paint.sides);
-        let (x, y) = outer.center_2x();
-        let mut outline = Curve::new(outer.width, outer.height);
-        let mut filled = Curve::new(inner.width, inner.height);
-        draw_rows(&outer, paint, target, |row, parts| {
-            parts.add_ring(outline.columns(2 * row - y, x), filled.columns(2 * row - y, x));
-        })
+fn draw_pixels<D: DrawTarget>(boxes: &Boxes, paint: &Paint<D::Color>, target: &mut D) -> Result<(), D::Error> {
+    let [mut outer, mut inner] = [boxes.outer, boxes.inner].map(|pixels| Curve::new(pixels.width, pixels.height));
+    let center = boxes.outer.center_2x();
+    draw_rows(&boxes.outer, target, |row, parts| {
+        parts.add_ring(paint, outer.columns(row, center), inner.columns(row, center));
+    })
+}
+
+impl Boxed for Circle {
+    fn pixels(&self) -> PixelBox {
+        PixelBox::new(self.top_left, Size::new_equal(self.diameter))
     }
 
-    fn draw_blended<D: DrawTarget, B: Blend<D>>(
-        &self,
-        paint: &Paint<D::Color>,
-        blended: &Blended<B>,
-        target: &mut D,
-    ) -> Result<(), D::Error>
-    where
-        D::Color: Mix,
-    {
-        let (outer, inner) = boxes(self, &paint.sides);
-        if !outer.can_be_blended() {
-            return self.draw_aliased(paint, target);
+    fn draw_pixels<D: DrawTarget>(&self, boxes: &Boxes, paint: &Paint<D::Color>, to: &mut D) -> Result<(), D::Error> {
+        match (paint.fill, paint.stroke) {
+            // The exact circle has embedded-graphics' pixels, but for that of three.
+            (Some(fill), None) if boxes.inner.width > 3 && boxes.inner.can_be_blended() => {
+                exact(&boxes.inner).filled(fill).draw(to)
+            }
+            _ => draw_pixels(boxes, paint, to),
         }
-        draw_outlines(paint, blended, target, &outer, |outline, room, layer| {
-            push_ellipse(outline, room, if layer == Layer::Outer { &outer } else { &inner });
-        })
     }
 
-    fn styled_box(&self, stroke: &Stroke, _is_blended: bool) -> Rectangle {
-        boxes(self, stroke).0.rectangle()
+    fn draw_layers<L: Layers>(&self, boxes: &Boxes, _stroke: &Stroke, layers: &mut L) -> Result<(), L::Error> {
+        layers.draw(&exact(&boxes.outer), &exact(&boxes.inner))
+    }
+}
+
+impl Boxed for Ellipse {
+    fn pixels(&self) -> PixelBox {
+        PixelBox::new(self.top_left, self.size)
+    }
+
+    fn draw_pixels<D: DrawTarget>(&self, boxes: &Boxes, paint: &Paint<D::Color>, to: &mut D) -> Result<(), D::Error> {
+        draw_pixels(boxes, paint, to)
+    }
+
+    fn draw_layers<L: Layers>(&self, boxes: &Boxes, _stroke: &Stroke, layers: &mut L) -> Result<(), L::Error> {
+        draw_outlines(layers, |outline, room, is_outer| {
+            push_ellipse(outline, room, if is_outer { &boxes.outer } else { &boxes.inner });
+        })
     }
 }

@@ -8,29 +8,165 @@
 //!     inner   0   0  40 210 255        then fill mixed into it: inner / outer of it
 //! ```
 
-use core::{convert::Infallible, ops::Range};
+use core::convert::Infallible;
 
 use embedded_graphics_core::{
     draw_target::DrawTarget,
     geometry::{Point, Size},
     primitives::Rectangle,
 };
-use heapless::Vec;
 
-use crate::{Blend, CoverageSink, Mix, PixelRect, Span, draw::AntiAlias, shape::Cover};
+use crate::{
+    Blend, CoverageSink, Mix, PixelRect, Span,
+    draw::{AntiAlias, faded},
+    shape::Cover,
+    span::visible,
+};
 
-use super::{Blended, paint::Paint, pixel_box::to_i32};
+use super::{Blended, boxes::Boxes, paint::Paint, pixel_box::PixelBox};
 
 /// The size of a tile.
 const ROWS: i32 = 4;
-pub(super) const COLUMNS: i32 = 64;
+const COLUMNS: i32 = 64;
 const WIDTH: usize = COLUMNS.cast_unsigned() as usize;
 const PIXELS: usize = 4 * WIDTH;
 const _: () = assert!(ROWS == 4);
 
-/// The coverage of the pixels of a tile by one or more areas that do not overlap, in 255ths.
-#[derive(Debug)]
-pub(super) struct Tile {
+/// Where the areas of a primitive go.
+pub(super) trait Layers {
+    type Error;
+
+    /// Whether there is more than a fill.
+    fn has_stroke(&self) -> bool;
+
+    /// Whether pixels that are covered wholly need no blending.
+    fn is_opaque(&self) -> bool;
+
+    /// Draws an area in the colour of the stroke.
+    fn stroke(&mut self, area: &impl Cover) -> Result<(), Self::Error>;
+
+    /// Draws the stroke of what is in `outer`, and inside it the fill of what is in `inner`; or the fill alone.
+    fn draw(&mut self, outer: &impl Cover, inner: &impl Cover) -> Result<(), Self::Error>;
+
+    /// What `pixels` hold of a stroke and a fill, mixed.
+    fn draw_tiles(&mut self, pixels: &PixelRect, outer: &impl Cover, inner: &impl Cover) -> Result<(), Self::Error>;
+
+    /// What of a rectangle with a stroke lies in `pixels`, where none is covered in part.
+    fn draw_whole(&mut self, boxes: &Boxes, pixels: &PixelBox) -> Result<(), Self::Error>;
+}
+
+/// Draws areas on a target.
+pub(super) struct Blending<'a, D: DrawTarget, B> {
+    pub(super) paint: &'a Paint<D::Color>,
+    pub(super) blended: &'a Blended<B>,
+    pub(super) target: &'a mut D,
+}
+
+impl<D: DrawTarget, B: Blend<D>> Layers for Blending<'_, D, B>
+where
+    D::Color: Mix,
+{
+    type Error = D::Error;
+
+    fn has_stroke(&self) -> bool {
+        self.paint.stroke.is_some()
+    }
+
+    fn is_opaque(&self) -> bool {
+        self.blended.opacity == 255
+    }
+
+    fn stroke(&mut self, area: &impl Cover) -> Result<(), D::Error> {
+        self.draw_area(self.paint.stroke, area)
+    }
+
+    #[inline(never)]
+    fn draw(&mut self, outer: &impl Cover, inner: &impl Cover) -> Result<(), D::Error> {
+        if self.has_stroke() {
+            self.draw_tiles(&outer.touched(), outer, inner)
+        } else {
+            self.draw_area(self.paint.fill, inner)
+        }
+    }
+
+    #[inline(never)]
+    fn draw_tiles(&mut self, pixels: &PixelRect, outer: &impl Cover, inner: &impl Cover) -> Result<(), D::Error> {
+        let Some((rows, columns)) = visible(pixels, &self.target.bounding_box().into()) else { return Ok(()) };
+        for top in rows.clone().step_by(PIXELS / WIDTH) {
+            for left in columns.clone().step_by(WIDTH) {
+                let clip = PixelRect {
+                    rows: top..top.saturating_add(ROWS).min(rows.end),
+                    columns: left..left.saturating_add(COLUMNS).min(columns.end),
+                };
+                let [mut outside, mut inside] = [const { Tile::EMPTY }; 2];
+                outside.collect(outer, &clip);
+                inside.collect(inner, &clip);
+                if !(outside.is_empty && inside.is_empty) {
+                    self.draw_tile(&clip, &outside, &inside)?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn draw_whole(&mut self, boxes: &Boxes, pixels: &PixelBox) -> Result<(), D::Error> {
+        boxes.draw(pixels, self.paint, self.target)
+    }
+}
+
+impl<D: DrawTarget, B: Blend<D>> Blending<'_, D, B>
+where
+    D::Color: Mix,
+{
+    #[inline(never)]
+    fn draw_area(&mut self, colour: Option<D::Color>, area: &impl Cover) -> Result<(), D::Error> {
+        let Some(colour) = colour else { return Ok(()) };
+        area.antialiased(colour, self.blended.blend).opacity(self.blended.opacity).draw_on(self.target)
+    }
+
+    fn draw_tile(&mut self, clip: &PixelRect, outer: &Tile, inner: &Tile) -> Result<(), D::Error> {
+        let Self { paint, blended, target } = self;
+        let Blended { blend, opacity } = **blended;
+        for row in clip.rows.clone() {
+            let pixel = |column: i32| {
+                let (colour, coverage) = mixture(paint, outer.at(row, column), inner.at(row, column))?;
+                let alpha = faded(coverage, opacity);
+                (alpha > 0).then_some((colour, alpha))
+            };
+            let mut column = clip.columns.start;
+            while column < clip.columns.end {
+                let start = column;
+                column += 1;
+                let Some((colour, alpha)) = pixel(start) else { continue };
+                // As far as the pixels are alike; if that is just one, as far as they have the same colour.
+                while column < clip.columns.end && pixel(column) == Some((colour, alpha)) {
+                    column += 1;
+                }
+                let (place, width) = (Point::new(start, row), column.abs_diff(start));
+                if alpha == 255 {
+                    target.fill_solid(&Rectangle::new(place, Size::new(width, 1)), colour)?;
+                } else if width > 1 {
+                    blend.span(target, place, width, colour, alpha)?;
+                } else {
+                    let goes_on = |column| pixel(column).is_some_and(|(other, alpha)| other == colour && alpha < 255);
+                    while column < clip.columns.end && goes_on(column) {
+                        column += 1;
+                    }
+                    // A tile is no wider than the room there is.
+                    let mut alphas = [0; WIDTH];
+                    let pixels = (start..column).filter_map(pixel);
+                    alphas.iter_mut().zip(pixels).for_each(|(room, (_, alpha))| *room = alpha);
+                    let count = column.abs_diff(start) as usize;
+                    blend.run(target, place, colour, alphas.get(..count).unwrap_or_default())?;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// How much of the pixels of a tile is covered, in 255ths.
+struct Tile {
     left: i32,
     top: i32,
     is_empty: bool,
@@ -38,12 +174,12 @@ pub(super) struct Tile {
 }
 
 impl Tile {
-    fn new(left: i32, top: i32) -> Self {
-        Self { left, top, is_empty: true, coverage: [0; PIXELS] }
-    }
+    const EMPTY: Self = Self { left: 0, top: 0, is_empty: true, coverage: [0; PIXELS] };
 
-    /// Adds what `area` covers. The sum is exact where areas meet, and at most 255 where they overlap.
-    pub(super) fn add(&mut self, area: &impl Cover, clip: &PixelRect) {
+    /// Tiles are filled where they are: to return one would take its space twice.
+    #[inline(never)]
+    fn collect(&mut self, area: &impl Cover, clip: &PixelRect) {
+        (self.left, self.top) = (clip.columns.start, clip.rows.start);
         match area.coverage(clip, self) {
             Ok(()) => {}
             Err(never) => match never {},
@@ -55,172 +191,48 @@ impl Tile {
         usize::try_from(row * COLUMNS + column).unwrap_or(PIXELS)
     }
 
-    /// A run of a row; `ExactSizeIterator` wants it in one place.
-    fn alphas(columns: Range<i32>, alpha: impl Fn(i32) -> u8) -> Vec<u8, WIDTH> {
-        let mut alphas = Vec::new();
-        // A tile is no wider than the room there is.
-        columns.for_each(|column| alphas.push(alpha(column)).unwrap_or_default());
-        alphas
-    }
-
     fn at(&self, row: i32, column: i32) -> u8 {
         self.coverage.get(self.index(row, column)).copied().unwrap_or_default()
+    }
+
+    /// At most 255 where areas overlap.
+    fn add(&mut self, row: i32, column: i32, coverage: impl Iterator<Item = u8>) {
+        self.is_empty = false;
+        let first = self.index(row, column);
+        let pixels = self.coverage.iter_mut().skip(first);
+        pixels.zip(coverage).for_each(|(sum, coverage)| *sum = sum.saturating_add(coverage));
     }
 }
 
 impl CoverageSink for Tile {
     type Error = Infallible;
 
-    fn span(&mut self, span: Span, coverage: u8) -> Result<(), Infallible> {
-        self.is_empty = false;
-        let first = self.index(span.row, span.columns.start);
-        let pixels = self.coverage.iter_mut().skip(first).zip(span.columns);
-        pixels.for_each(|(sum, _)| *sum = sum.saturating_add(coverage));
+    fn span(&mut self, Span { row, columns }: Span, coverage: u8) -> Result<(), Infallible> {
+        self.add(row, columns.start, columns.map(|_| coverage));
         Ok(())
     }
 
     fn run(&mut self, row: i32, column: i32, coverage: &[u8]) -> Result<(), Infallible> {
-        self.is_empty = false;
-        let first = self.index(row, column);
-        let pixels = self.coverage.iter_mut().skip(first).zip(coverage);
-        pixels.for_each(|(sum, coverage)| *sum = sum.saturating_add(*coverage));
+        self.add(row, column, coverage.iter().copied());
         Ok(())
     }
 }
 
-/// Draws an area of one colour.
-pub(super) fn draw_area<D: DrawTarget, B: Blend<D>>(
-    area: impl Cover,
-    colour: D::Color,
-    blended: &Blended<B>,
-    target: &mut D,
-) -> Result<(), D::Error> {
-    area.antialiased(colour, blended.blend).opacity(blended.opacity).draw_on(target)
-}
-
-/// Draws the stroke of what `outer` adds to a tile, and inside it the fill of what `inner` adds; all of it lies in
-/// `bounds`. A fill without a stroke is what `inner` adds alone.
-pub(super) fn draw_layers<D: DrawTarget, B: Blend<D>>(
-    paint: &Paint<D::Color>,
-    blended: &Blended<B>,
-    target: &mut D,
-    bounds: &PixelRect,
-    outer: impl Fn(&PixelRect, &mut Tile),
-    inner: impl Fn(&PixelRect, &mut Tile),
-) -> Result<(), D::Error>
-where
-    D::Color: Mix,
-{
-    if paint.is_transparent(blended) {
-        return Ok(());
-    }
-    let clip = PixelRect::from(target.bounding_box());
-    let columns = bounds.columns.start.max(clip.columns.start)..bounds.columns.end.min(clip.columns.end);
-    let rows = bounds.rows.start.max(clip.rows.start)..bounds.rows.end.min(clip.rows.end);
-    let mut top = rows.start;
-    while top < rows.end {
-        let bottom = top.saturating_add(ROWS).min(rows.end);
-        let mut left = columns.start;
-        while left < columns.end {
-            let right = left.saturating_add(COLUMNS).min(columns.end);
-            let clip = PixelRect { rows: top..bottom, columns: left..right };
-            let (mut outside, mut inside) = (Tile::new(left, top), Tile::new(left, top));
-            outer(&clip, &mut outside);
-            inner(&clip, &mut inside);
-            if !(outside.is_empty && inside.is_empty) {
-                draw_tile(paint, blended, target, &clip, &outside, &inside)?;
-            }
-            left = right;
-        }
-        top = bottom;
-    }
-    Ok(())
-}
-
-fn draw_tile<D: DrawTarget, B: Blend<D>>(
-    paint: &Paint<D::Color>,
-    blended: &Blended<B>,
-    target: &mut D,
-    clip: &PixelRect,
-    outer: &Tile,
-    inner: &Tile,
-) -> Result<(), D::Error>
-where
-    D::Color: Mix,
-{
-    for row in clip.rows.clone() {
-        let pixel = |column: i32| {
-            let (colour, coverage) = mixture(paint, (outer.at(row, column), inner.at(row, column)))?;
-            let alpha = divide_by_255(u32::from(coverage) * u32::from(blended.opacity));
-            (alpha > 0).then_some((colour, alpha))
-        };
-        let mut column = clip.columns.start;
-        while column < clip.columns.end {
-            let start = column;
-            let Some((colour, alpha)) = pixel(start) else {
-                column += 1;
-                continue;
-            };
-            // As far as the pixels are alike; if that is just one, as far as they have the same colour.
-            while column < clip.columns.end && pixel(column) == Some((colour, alpha)) {
-                column += 1;
-            }
-            let (place, width) = (Point::new(start, row), column.abs_diff(start));
-            if alpha == 255 {
-                target.fill_solid(&Rectangle::new(place, Size::new(width, 1)), colour)?;
-            } else if width > 1 {
-                blended.blend.span(target, place, width, colour, alpha)?;
-            } else {
-                let continues = |column| pixel(column).is_some_and(|(other, alpha)| other == colour && alpha < 255);
-                while column < clip.columns.end && continues(column) {
-                    column += 1;
-                }
-                let alphas = Tile::alphas(start..column, |column| pixel(column).map_or(0, |(_, alpha)| alpha));
-                blended.blend.run(target, place, colour, &alphas)?;
-            }
-        }
-    }
-    Ok(())
-}
-
 /// The colour of what covers a pixel, and how much of it.
-fn mixture<C: Mix>(paint: &Paint<C>, (outer, inner): (u8, u8)) -> Option<(C, u8)> {
-    match (paint.stroke, paint.fill) {
-        (Some(stroke), Some(fill)) => {
-            let inner = inner.min(outer);
-            let colour = match inner {
-                0 => stroke,
-                _ if inner == outer => fill,
-                _ => fill.over(stroke, share(inner, outer)),
-            };
-            Some((colour, outer))
-        }
-        (Some(stroke), None) => Some((stroke, outer.saturating_sub(inner))),
-        (None, Some(fill)) => Some((fill, inner)),
-        (None, None) => None,
-    }
+fn mixture<C: Mix>(paint: &Paint<C>, outer: u8, inner: u8) -> Option<(C, u8)> {
+    let Some(stroke) = paint.stroke else { return Some((paint.fill?, inner)) };
+    let Some(fill) = paint.fill else { return Some((stroke, outer.saturating_sub(inner))) };
+    let inner = inner.min(outer);
+    let colour = match inner {
+        0 => stroke,
+        _ if inner == outer => fill,
+        _ => fill.over(stroke, share(inner, outer)),
+    };
+    Some((colour, outer))
 }
 
 /// `part / whole` in 255ths, to the nearest; `part` is less than `whole`.
 fn share(part: u8, whole: u8) -> u8 {
     let (part, whole) = (u32::from(part), u32::from(whole));
     u8::try_from((2 * 255 * part + whole) / (2 * whole).max(1)).unwrap_or(u8::MAX)
-}
-
-/// To the nearest; the product is at most 255 x 255.
-fn divide_by_255(product: u32) -> u8 {
-    let product = product + 128;
-    u8::try_from((product + (product >> 8)) >> 8).unwrap_or(u8::MAX)
-}
-
-/// A rectangle around areas.
-pub(super) fn union(a: &PixelRect, b: &PixelRect) -> PixelRect {
-    let axis = |a: &Range<i32>, b: &Range<i32>| a.start.min(b.start)..a.end.max(b.end);
-    PixelRect { rows: axis(&a.rows, &b.rows), columns: axis(&a.columns, &b.columns) }
-}
-
-/// Grown by whole pixels on every side.
-pub(super) fn grown(rect: &PixelRect, pixels: i64) -> PixelRect {
-    let axis = |range: &Range<i32>| to_i32(i64::from(range.start) - pixels)..to_i32(i64::from(range.end) + pixels);
-    PixelRect { rows: axis(&rect.rows), columns: axis(&rect.columns) }
 }

@@ -2,7 +2,7 @@
 
 use embedded_graphics::primitives::StrokeAlignment;
 
-use super::{Blended, Style};
+use super::Style;
 
 /// Wider strokes count as this wide: they cover every display, and no product of theirs leaves 64 bits.
 pub(super) const MAX_STROKE_WIDTH: u32 = 0xffff;
@@ -19,11 +19,6 @@ impl Stroke {
         Self { width: style.stroke_width.min(MAX_STROKE_WIDTH).into(), alignment: style.stroke_alignment }
     }
 
-    /// One pixel, which alignment does not move.
-    pub(super) const fn thin() -> Self {
-        Self { width: 1, alignment: StrokeAlignment::Center }
-    }
-
     /// How far it reaches out of a primitive whose outline runs between pixels.
     pub(super) fn outside(&self) -> i64 {
         match self.alignment {
@@ -38,42 +33,49 @@ impl Stroke {
         self.width - self.outside()
     }
 
-    /// The sides of an outline through the centres of pixels, in half pixels: the side to the left of its direction,
-    /// or outside, and the other one.
+    /// The sides of an outline through the centres of pixels, outside being the left one of its direction.
     ///
     /// The pixels that the outline runs through are part of the stroke whatever the alignment. An even width has no
-    /// pixel in the middle, and has one more on the left, as in embedded-graphics.
-    pub(super) fn halves(&self) -> (i64, i64) {
-        if self.width == 0 {
-            return (0, 0);
-        }
+    /// pixel in the middle, and has one more on the left, as in embedded-graphics; but blended it has no need of whole
+    /// pixels, and its sides are as far from the line as each other, whichever way that goes.
+    pub(super) fn sides(&self, is_blended: bool) -> Sides {
         let left = match self.alignment {
-            StrokeAlignment::Inside => 1,
-            StrokeAlignment::Center => self.width + i64::from(self.width % 2 == 0),
-            StrokeAlignment::Outside => 2 * self.width - 1,
+            _ if self.width == 0 => 0,
+            StrokeAlignment::Inside => 128,
+            StrokeAlignment::Center if is_blended => 128 * self.width,
+            StrokeAlignment::Center => 128 * (self.width | 1),
+            StrokeAlignment::Outside => 256 * self.width - 128,
         };
-        (left, 2 * self.width - left)
+        Sides { left, right: 256 * self.width - left, limit: 512 * self.width }
     }
 
-    /// How far it reaches to the outside and to the inside of an outline that has no need of whole pixels, in half
-    /// pixels.
-    pub(super) fn exact_halves(&self) -> (i64, i64) {
-        match self.alignment {
-            StrokeAlignment::Inside => (0, 2 * self.width),
-            StrokeAlignment::Center => (self.width, self.width),
-            StrokeAlignment::Outside => (2 * self.width, 0),
-        }
+    /// How far it reaches to the outside and to the inside of an outline that has no need of whole pixels, in 1/256.
+    pub(super) fn exact_sides(&self) -> (i64, i64) {
+        let outside = match self.alignment {
+            StrokeAlignment::Inside => 0,
+            StrokeAlignment::Center => 128 * self.width,
+            StrokeAlignment::Outside => 256 * self.width,
+        };
+        (outside, 256 * self.width - outside)
     }
 
-    /// Whether it lies in the middle of the outline.
-    pub(super) fn is_centered(&self) -> bool {
-        self.alignment == StrokeAlignment::Center
+    /// The same, one pixel wide.
+    pub(super) fn thin(&self) -> Self {
+        Self { width: 1, ..*self }
     }
 
     /// The same for an outline that is not closed, which has no inside.
     pub(super) fn open(&self) -> Self {
         Self { alignment: StrokeAlignment::Center, ..*self }
     }
+}
+
+/// Where a stroke ends, in 1/256 pixel from its line: to its left, to its right, and a mitre at most.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sides {
+    pub(super) left: i64,
+    pub(super) right: i64,
+    pub(super) limit: i64,
 }
 
 /// What to draw in which colour.
@@ -86,16 +88,8 @@ pub(super) struct Paint<C> {
 }
 
 impl<C: Copy> Paint<C> {
-    pub(super) fn new<E>(style: &Style<C, E>) -> Self {
-        Self {
-            fill: style.fill_color,
-            stroke: style.stroke_color.filter(|_| style.stroke_width > 0),
-            sides: Stroke::new(style),
-        }
-    }
-
-    /// Nothing, also where opacity leaves nothing.
-    pub(super) fn is_transparent<B>(&self, blended: &Blended<B>) -> bool {
-        blended.opacity == 0 || (self.fill.is_none() && self.stroke.is_none())
+    pub(super) fn new<E>(style: &Style<C, E>, has_inside: bool) -> Self {
+        let stroke = style.stroke_color.filter(|_| style.stroke_width > 0);
+        Self { fill: style.fill_color.filter(|_| has_inside), stroke, sides: Stroke::new(style) }
     }
 }

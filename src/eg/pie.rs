@@ -1,68 +1,63 @@
-//! Outlines of rings and pies cut by a wedge, for blending.
+//! Outlines of rings and pies cut by a wedge, for blending. The rays are exact to 2^-30, and angles in single precision less.
 
-use embedded_graphics::geometry::Angle;
+use embedded_graphics::geometry;
+
+use crate::{Angle, outline::Vector, stroke::Unit};
 
 use super::{
-    normal::{Vector, add, along, cross, left, meet, unit},
-    outline::{ALONE, Chords, Outline, push_arc, radius, vertex, within},
+    outline::{Chords, Outline, push, radius},
     pixel_box::PixelBox,
-    wedge::{Sweep, Wedge},
+    wedge::Sweep,
 };
 
-/// The middle of a box in 1/256 pixel.
-pub(super) fn center(pixels: &PixelBox) -> Vector {
-    let (x, y) = pixels.center_2x();
-    (128 * (x + 1), 128 * (y + 1))
+/// A wedge, clockwise.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rays {
+    start: Angle,
+    end: Angle,
+    pub(super) sweep: Sweep,
 }
 
-/// As many chords as leave room for `arcs` arcs of such a sweep and `spare` other vertices among `room`.
-fn chords(radius: i64, sweep: Angle, room: usize, arcs: usize) -> Chords {
-    const SPARE: usize = 6;
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped; how fine, not where")]
-    let degrees = sweep.to_degrees().abs().clamp(1.0, 360.0) as usize + 1;
-    Chords::new(radius, (room.saturating_sub(arcs * SPARE) * 360 / (arcs * degrees).max(1)).min(1024))
+impl Rays {
+    pub(super) fn new(start: geometry::Angle, sweep: geometry::Angle) -> Self {
+        let angle = |angle: geometry::Angle| Angle::from_radians(angle.to_radians());
+        let (from, to) = (angle(start), angle(start + sweep));
+        let (start, end) = if sweep < geometry::Angle::zero() { (to, from) } else { (from, to) };
+        Self { start, end, sweep: Sweep::of(sweep) }
+    }
+
+    /// Adds an arc from one angle to another, with both ends, or back.
+    fn push_arc(&self, outline: &mut Outline, middle: Vector, radius: i64, room: usize, is_back: bool) {
+        let Self { start, end, sweep } = *self;
+        let radii = Vector::new(radius, radius);
+        let turn = (end - start).to_bits() >> 16;
+        let is_wide = sweep != Sweep::Narrow;
+        let chords = Chords::new(radius, room, if turn == 0 && is_wide { 1 << 16 } else { turn + 1 });
+        let first = chords.after(start);
+        let count = chords.between(first, chords.after(end), is_wide);
+        let points = (0..count).map(|point| first + if is_back { count - 1 - point } else { point });
+        chords.push(outline, middle, radii, points);
+    }
 }
 
-/// The first point of the chords at a direction or clockwise after it.
-fn first_after(chords: Chords, (x, y): Vector) -> i32 {
-    let eighth = match (x > 0, y > 0) {
-        _ if y >= 0 && x > 0 => i32::from(y >= x),
-        (false, true) => 2 + i32::from(-x >= y),
-        _ if x < 0 => 4 + i32::from(-y >= -x),
-        _ => 6 + i32::from(x >= -y),
-    };
-    let start = eighth * (chords.count() / 8);
-    let end = start + chords.count() / 8;
-    (start..end).find(|&point| cross((x, y), chords.unit(point)) >= 0).unwrap_or(end)
-}
-
-/// The points between two directions, clockwise; those of a whole turn or none when there is none between.
-fn between(chords: Chords, start: Vector, end: Vector, sweep: Sweep) -> core::ops::Range<i32> {
-    let first = first_after(chords, start);
-    let count = (first_after(chords, end) - first).rem_euclid(chords.count().max(1));
-    let count = if count == 0 && sweep != Sweep::Narrow { chords.count() } else { count };
-    first..first + count
+/// The direction of an angle.
+pub(super) fn direction(angle: Angle) -> Unit {
+    let (sin, cos) = angle.sin_cos();
+    Unit(Vector::new(cos.into(), sin.into()))
 }
 
 /// Adds the outline of what is between two circles and in a wedge.
 #[inline(never)]
-pub(super) fn push_ring(outline: &mut Outline, outer: &PixelBox, inner: &PixelBox, wedge: &Wedge, sweep: Angle) {
-    let (Some(start), Some(end)) = (unit(wedge.start), unit(wedge.end)) else { return };
-    let (middle, far, near) = (center(outer), radius(outer.width), radius(inner.width));
-    let chords = chords(far, sweep, ALONE, 2);
-    let points = between(chords, start, end, wedge.sweep);
-    let push = |outline: &mut Outline, place: Vector| {
-        let (x, y) = add(middle, place);
-        // There is room: `chords` has seen to it.
-        outline.push(vertex(x, y)).unwrap_or_default();
-    };
-    push(outline, along(start, far));
-    push_arc(outline, middle, (far, far), chords, points.clone());
-    push(outline, along(end, far));
-    push(outline, along(end, near));
+pub(super) fn push_ring(outline: &mut Outline, room: usize, outer: &PixelBox, inner: &PixelBox, rays: &Rays) {
+    let (middle, start, end) = (outer.center(), direction(rays.start), direction(rays.end));
+    let (far, near) = (radius(outer.width), radius(inner.width));
+    push(outline, middle.plus(start.times(far)));
+    rays.push_arc(outline, middle, far, room / 2, false);
+    push(outline, middle.plus(end.times(far)));
+    push(outline, middle.plus(end.times(near)));
     if near > 0 {
-        push_arc(outline, middle, (near, near), chords, points.rev());
-        push(outline, along(start, near));
+        rays.push_arc(outline, middle, near, room / 2, true);
+        push(outline, middle.plus(start.times(near)));
     }
 }
 
@@ -71,12 +66,11 @@ pub(super) fn push_ring(outline: &mut Outline, outer: &PixelBox, inner: &PixelBo
 pub(super) struct Pie {
     /// Around the circle.
     pub(super) pixels: PixelBox,
-    pub(super) wedge: Wedge,
-    pub(super) sweep: Angle,
+    pub(super) rays: Rays,
     /// How far the straight sides are moved into the wedge, in 1/256 pixel.
     pub(super) offset: i64,
     /// A sharp corner is cut off square: along the middle of the wedge, where this much of it is left, in 1/256 pixel.
-    pub(super) bevel: Option<(Vector, i64)>,
+    pub(super) bevel: Option<(Unit, i64)>,
 }
 
 impl Pie {
@@ -84,63 +78,56 @@ impl Pie {
     /// the straight sides take up most of it.
     #[inline(never)]
     pub(super) fn push(&self, outline: &mut Outline, room: usize) {
-        let Self { pixels, wedge, offset, .. } = *self;
-        let (Some(start), Some(end)) = (unit(wedge.start), unit(wedge.end)) else { return };
-        let (middle, radius) = (center(&pixels), radius(pixels.width));
-        let (after_start, before_end) = (left(left(left(start))), left(end));
+        let Self { pixels, rays, offset, .. } = *self;
+        let (start, end, sweep) = (direction(rays.start), direction(rays.end), rays.sweep);
+        let (middle, radius) = (pixels.center(), radius(pixels.width));
+        let (after_start, before_end) = (start.turned(), end.turned_back());
         let corner = meet(after_start, offset, before_end, offset);
         let is_outside = |place: Vector| {
-            place.0.abs() >= radius
-                || place.1.abs() >= radius
-                || place.0 * place.0 + place.1 * place.1 >= radius * radius
+            place.x.abs() >= radius || place.y.abs() >= radius || place.dot(place) >= i128::from(radius * radius)
         };
         // Half a turn has both sides on one line.
-        let is_straight = corner.is_none() && (start.0 * end.0 + start.1 * end.1) < 0;
+        let is_straight = corner.is_none() && start.dot(end) < 0;
         let is_far = !is_straight && corner.is_none_or(is_outside);
-        let is_full = match wedge.sweep {
+        let is_full = match sweep {
             Sweep::Whole => true,
             Sweep::Wide => offset <= -radius || (offset < 0 && is_far),
             Sweep::Narrow => offset <= -radius,
         };
-        if !is_full && (offset >= radius || (offset > 0 && is_far && wedge.sweep == Sweep::Narrow)) {
+        if !is_full && (offset >= radius || (offset > 0 && is_far && sweep == Sweep::Narrow)) {
             return;
         }
-        let chords = chords(radius, if is_full { Angle::from_degrees(360.0) } else { self.sweep }, room, 1);
         if is_full {
-            push_arc(outline, middle, (radius, radius), chords, 0..chords.count());
-            return;
+            let whole = Rays { start: Angle::ZERO, end: Angle::ZERO, sweep: Sweep::Whole };
+            return whole.push_arc(outline, middle, radius, room, false);
         }
         let length = (radius * radius - offset * offset).cast_unsigned().isqrt().cast_signed();
-        let first = add(along(start, length), along(after_start, offset));
-        let last = add(along(end, length), along(before_end, offset));
-        let push = |outline: &mut Outline, (x, y): Vector| {
-            // Clamped: a corner may be far away.
-            let (x, y) = add(middle, (within(x, radius), within(y, radius)));
-            outline.push(vertex(x, y)).unwrap_or_default();
-        };
-        push(outline, first);
-        if let (Some(from), Some(to)) = (unit(first), unit(last)) {
-            push_arc(outline, middle, (radius, radius), chords, between(chords, from, to, wedge.sweep));
-        }
-        push(outline, last);
+        let first = start.times(length).plus(after_start.times(offset));
+        let last = end.times(length).plus(before_end.times(offset));
+        // Clamped: a corner may be far away.
+        let within = |at: i64| at.min(radius).max(-radius);
+        let mut add = |Vector { x, y }: Vector| push(outline, middle.plus(Vector::new(within(x), within(y))));
         let cut = self.bevel.and_then(|(bisector, at)| {
-            let is_cut = corner.is_none_or(|(x, y)| {
-                // A corner is at most 2^36 away.
-                let reach = ((x >> 6) * bisector.0 + (y >> 6) * bisector.1) >> 24;
-                if wedge.sweep == Sweep::Narrow { reach < at } else { reach > at }
-            });
-            if !is_cut {
-                return None;
-            }
-            Some((meet(before_end, offset, bisector, at)?, meet(after_start, offset, bisector, at)?))
+            let reach = |corner: Vector| corner.dot(bisector.0) >> 30;
+            let is_cut = corner.is_none_or(|corner| (reach(corner) < i128::from(at)) == (sweep == Sweep::Narrow));
+            let cut = |side: Unit| meet(side, offset, bisector, at);
+            if is_cut { cut(before_end).zip(cut(after_start)) } else { None }
         });
-        match (cut, corner) {
-            (Some((from, to)), _) => {
-                push(outline, from);
-                push(outline, to);
-            }
-            (None, Some(corner)) => push(outline, corner),
-            (None, None) => push(outline, along(after_start, offset)),
-        }
+        let corner = corner.unwrap_or(after_start.times(offset));
+        let (from, to) = cut.unwrap_or((corner, corner));
+        [last, from, to, first].into_iter().for_each(&mut add);
+        let arc = Rays { start: Angle::of(first.x, first.y), end: Angle::of(last.x, last.y), sweep };
+        arc.push_arc(outline, middle, radius, room, false);
     }
+}
+
+/// Where two lines meet that lie `a_offset` and `b_offset` along their normals. None when they are nearly parallel.
+fn meet(a: Unit, a_offset: i64, b: Unit, b_offset: i64) -> Option<Vector> {
+    let determinant = a.cross(b) >> 30;
+    if determinant.abs() < 1 << 20 {
+        return None;
+    }
+    let x = (a_offset * b.0.y - b_offset * a.0.y).checked_div(determinant)?;
+    let y = (b_offset * a.0.x - a_offset * b.0.x).checked_div(determinant)?;
+    Some(Vector::new(x, y))
 }

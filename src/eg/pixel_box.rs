@@ -7,7 +7,7 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 
-use crate::{CoverageSink, PixelRect, Span, shape::Cover};
+use crate::{CoverageSink, PixelRect, Span, outline::Vector, shape::Cover};
 
 /// A box of pixels that may reach out of `i32`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,6 +21,11 @@ pub(super) struct PixelBox {
 impl PixelBox {
     pub(super) fn new(top_left: Point, size: Size) -> Self {
         Self { left: top_left.x.into(), top: top_left.y.into(), width: size.width.into(), height: size.height.into() }
+    }
+
+    pub(super) const fn between(columns: Range<i64>, rows: Range<i64>) -> Self {
+        let (width, height) = (columns.end - columns.start, rows.end - rows.start);
+        Self { left: columns.start, top: rows.start, width, height }
     }
 
     /// With each side moved out by `pixels`, or in by less than none, for as long as there is something left.
@@ -37,7 +42,7 @@ impl PixelBox {
     }
 
     pub(super) fn is_empty(&self) -> bool {
-        self.width == 0 || self.height == 0
+        self.width <= 0 || self.height <= 0
     }
 
     /// Twice its middle, in the coordinates in which pixels have their centres at even numbers.
@@ -45,37 +50,39 @@ impl PixelBox {
         (2 * self.left + self.width - 1, 2 * self.top + self.height - 1)
     }
 
+    /// Its middle in 1/256 pixel.
+    pub(super) fn center(&self) -> Vector {
+        Vector::new(128 * (2 * self.left + self.width), 128 * (2 * self.top + self.height))
+    }
+
     /// Whether all of it can be blended: outlines have coordinates of 24 bits, and here one to spare.
     pub(super) fn can_be_blended(&self) -> bool {
         const REACH: i64 = 1 << 22;
-        self.left >= -REACH && self.top >= -REACH && self.left + self.width <= REACH && self.top + self.height <= REACH
+        let (columns, rows) = (self.columns(), self.rows());
+        columns.start >= -REACH && rows.start >= -REACH && columns.end <= REACH && rows.end <= REACH
     }
 
-    pub(super) fn columns(&self) -> Range<i64> {
+    pub(super) const fn columns(&self) -> Range<i64> {
         self.left..self.left + self.width
     }
 
-    pub(super) fn has_row(&self, row: i64) -> bool {
-        row >= self.top && row < self.top + self.height
+    pub(super) const fn rows(&self) -> Range<i64> {
+        self.top..self.top + self.height
     }
 
     /// What the clip leaves of it.
     pub(super) fn visible(&self, clip: &PixelRect) -> PixelRect {
-        PixelRect {
-            rows: cut(&(self.top..self.top + self.height), &clip.rows),
-            columns: cut(&self.columns(), &clip.columns),
-        }
+        PixelRect { rows: cut(&self.rows(), &clip.rows), columns: cut(&self.columns(), &clip.columns) }
     }
 
     /// Where it does not fit `i32`, what does.
     pub(super) fn rectangle(&self) -> Rectangle {
-        let axis = |start: i64, length: i64| {
+        let axis = |Range { start, end }: Range<i64>| {
             let clamped = start.clamp(i32::MIN.into(), i32::MAX.into());
-            let end = (start + length).min(i64::from(i32::MAX) + 1).max(clamped);
+            let end = end.min(i64::from(i32::MAX) + 1).max(clamped);
             (to_i32(clamped), u32::try_from(end - clamped).unwrap_or(u32::MAX))
         };
-        let (x, width) = axis(self.left, self.width);
-        let (y, height) = axis(self.top, self.height);
+        let ((x, width), (y, height)) = (axis(self.columns()), axis(self.rows()));
         Rectangle::new(Point::new(x, y), Size::new(width, height))
     }
 }

@@ -3,19 +3,19 @@
 use core::ops::Range;
 
 use embedded_graphics::primitives::{CornerRadii, RoundedRectangle};
-use embedded_graphics_core::{draw_target::DrawTarget, geometry::Size, primitives::Rectangle};
+use embedded_graphics_core::{draw_target::DrawTarget, geometry::Size};
 
-use crate::{Blend, Mix};
+use crate::outline::Vector;
 
 use super::{
-    Blended,
+    boxes::Boxes,
     curve::Curve,
-    outline::{Chords, Layer, Outline, draw_outlines, draw_outlines_in, push_arc, radius},
+    layers::Layers,
+    outline::{Chords, Outline, radius, with_outlines},
     paint::{Paint, Stroke},
     pixel_box::PixelBox,
-    rectangle::fill_box,
     rows::draw_rows,
-    styled::Primitive,
+    styled::Boxed,
 };
 
 /// A box with four corners cut off: clockwise from the top left, each with a width and a height.
@@ -26,36 +26,35 @@ struct Rounded {
 }
 
 impl Rounded {
-    /// Moved out by `pixels`, or in by less than none: the radii change by as much, and then are made to fit.
-    fn new(primitive: &RoundedRectangle, pixels: i64) -> Self {
+    /// In a box that is moved out by so many pixels, or in by less than none: the radii change by as much, and then are
+    /// made to fit.
+    fn new(primitive: &RoundedRectangle, pixels: PixelBox, moved: i64) -> Self {
         let CornerRadii { top_left, top_right, bottom_right, bottom_left } = primitive.corners;
-        let radii = [top_left, top_right, bottom_right, bottom_left].map(|Size { width, height }| {
-            let moved = |radius: u32| (i64::from(radius) + pixels).clamp(0, u32::MAX.into());
-            (moved(width), moved(height))
-        });
-        let Rectangle { top_left, size } = primitive.rectangle;
-        Self { pixels: PixelBox::new(top_left, size).offset(pixels), radii }.confined()
+        let moved = |radius: u32| (i64::from(radius) + moved).clamp(0, u32::MAX.into());
+        let corner = |Size { width, height }: Size| (moved(width), moved(height));
+        Self { pixels, radii: [top_left, top_right, bottom_right, bottom_left].map(corner) }.confined()
+    }
+
+    /// Of the outline of the stroke, and of what it leaves to fill.
+    fn both(primitive: &RoundedRectangle, boxes: &Boxes, stroke: &Stroke) -> [Self; 2] {
+        let inner = Self::new(primitive, boxes.inner, -stroke.inside());
+        [Self::new(primitive, boxes.outer, stroke.outside()), inner]
     }
 
     /// Where the radii of a side are together longer than it, all are scaled by what the worst side needs, rounded
     /// down, as embedded-graphics does.
     fn confined(mut self) -> Self {
-        let [top_left, top_right, bottom_right, bottom_left] = self.radii;
+        let [a, b, c, d] = self.radii;
         let PixelBox { width, height, .. } = self.pixels;
-        let sides = [
-            (top_left.0 + top_right.0, width),
-            (top_right.1 + bottom_right.1, height),
-            (bottom_left.0 + bottom_right.0, width),
-            (top_left.1 + bottom_left.1, height),
-        ];
-        let mut worst = (0, 1, 1);
+        let sides = [(a.0 + b.0, width), (b.1 + c.1, height), (d.0 + c.0, width), (a.1 + d.1, height)];
+        let mut worst = (0, 1);
         for (radii, side) in sides {
-            if radii - side > worst.0 {
-                worst = (radii - side, radii, side);
+            if radii - side > worst.0 - worst.1 && radii > side {
+                worst = (radii, side);
             }
         }
-        let (overlap, radii, side) = worst;
-        if overlap > 0 {
+        let (radii, side) = worst;
+        if radii > 0 {
             // Exact below 2^31 pixels.
             let fitted = |radius: i64| radius.saturating_mul(side) / radii.max(1);
             self.radii = self.radii.map(|(x, y)| (fitted(x), fitted(y)));
@@ -68,98 +67,55 @@ impl Rounded {
         if self.pixels.is_empty() {
             return;
         }
-        let PixelBox { left, top, width, height } = self.pixels;
-        let edges = (256 * left, 256 * top, 256 * (left + width), 256 * (top + height));
+        let (columns, rows) = (self.pixels.columns(), self.pixels.rows());
         // Once more: what made one side fit may not be enough for the others.
-        for (corner, (x, y)) in (0_i32..).zip(self.confined().radii) {
+        for (corner, (x, y)) in (0_u32..).zip(self.confined().radii) {
             // Half the size of the ellipse whose quarter the corner is.
-            let radii = (radius(2 * x), radius(2 * y));
-            let chords = Chords::new(if x == 0 || y == 0 { 0 } else { radii.0.max(radii.1) }, room.saturating_sub(12));
-            let center = (
-                if matches!(corner, 0 | 3) { edges.0 + radii.0 } else { edges.2 - radii.0 },
-                if corner < 2 { edges.1 + radii.1 } else { edges.3 - radii.1 },
-            );
-            let quarter = chords.count() / 4;
+            let radii = Vector::new(radius(2 * x), radius(2 * y));
+            let chords = Chords::new(if x == 0 || y == 0 { 0 } else { radii.x.max(radii.y) }, room, 1 << 16);
+            let left = if matches!(corner, 0 | 3) { columns.start + x } else { columns.end - x };
+            let top = if corner < 2 { rows.start + y } else { rows.end - y };
             // Point 0 is on the right, and the first corner begins on the left.
+            let quarter = chords.quarter();
             let first = (corner + 2) * quarter;
-            push_arc(outline, center, radii, chords, first..=first + quarter);
+            chords.push(outline, Vector::new(256 * left, 256 * top), radii, first..=first + quarter);
         }
+    }
+
+    /// The columns and the rows that meet no corner.
+    fn straight(&self) -> (Range<i64>, Range<i64>) {
+        let [a, b, c, d] = self.confined().radii;
+        let (columns, rows) = (self.pixels.columns(), self.pixels.rows());
+        let columns = columns.start + a.0.max(d.0)..columns.end - b.0.max(c.0);
+        (columns, rows.start + a.1.max(b.1)..rows.end - c.1.max(d.1))
     }
 }
 
-/// What lies between the corners, where there are no pixels covered in part: columns from side to side, and rows.
+/// What lies between the corners, where there are no pixels covered in part, and the corners. None where corners touch, or
+/// nothing is inside.
 ///
 /// ```text
-///      corner | columns | corner
-///     --------+---------+--------
-///       rows  |         |  rows       as few rectangles as there are colours, whatever the size;
-///     --------+---------+--------     only the corners are blended
-///      corner |         | corner
+///      corner |       | corner
+///     --------+       +--------
+///       band  | band  |  band      as few rectangles as there are colours, whatever the size;
+///     --------+       +--------    only the corners are blended
+///      corner |       | corner
 /// ```
-struct Cross {
-    columns: Range<i64>,
-    rows: Range<i64>,
-}
-
-impl Cross {
-    /// None where corners touch, or nothing is inside.
-    fn between(outer: &Rounded, inner: &Rounded) -> Option<Self> {
-        if inner.pixels.is_empty() {
-            return None;
-        }
-        let straight = |rounded: &Rounded| {
-            let PixelBox { left, top, width, height } = rounded.pixels;
-            let [a, b, c, d] = rounded.confined().radii;
-            (left + a.0.max(d.0)..left + width - b.0.max(c.0), top + a.1.max(b.1)..top + height - c.1.max(d.1))
-        };
-        let (outer, inner) = (straight(outer), straight(inner));
-        let both = |a: Range<i64>, b: Range<i64>| a.start.max(b.start)..a.end.min(b.end);
-        let (columns, rows) = (both(outer.0, inner.0), both(outer.1, inner.1));
-        (!columns.is_empty() && !rows.is_empty()).then_some(Self { columns, rows })
+fn split([outer, inner]: &[Rounded; 2]) -> Option<([PixelBox; 3], [PixelBox; 4])> {
+    let both = |a: Range<i64>, b: Range<i64>| a.start.max(b.start)..a.end.min(b.end);
+    let (straight, inside) = (outer.straight(), inner.straight());
+    let (columns, rows) = (both(straight.0, inside.0), both(straight.1, inside.1));
+    if columns.is_empty() || rows.is_empty() || inner.pixels.is_empty() {
+        return None;
     }
-
-    fn draw<D: DrawTarget>(
-        &self,
-        outer: &PixelBox,
-        inner: &PixelBox,
-        paint: &Paint<D::Color>,
-        target: &mut D,
-    ) -> Result<(), D::Error> {
-        let mut draw = |columns: Range<i64>, rows: Range<i64>, colour: Option<D::Color>| match colour {
-            Some(colour) if !columns.is_empty() && !rows.is_empty() => {
-                let (width, height) = (columns.end - columns.start, rows.end - rows.start);
-                fill_box(&PixelBox { left: columns.start, top: rows.start, width, height }, colour, target)
-            }
-            _ => Ok(()),
-        };
-        let Self { columns, rows } = self;
-        let (outer_end, inner_end) = (outer.top + outer.height, inner.top + inner.height);
-        draw(columns.clone(), outer.top..inner.top, paint.stroke)?;
-        draw(columns.clone(), inner.top..rows.start, paint.fill)?;
-        draw(outer.left..inner.left, rows.clone(), paint.stroke)?;
-        draw(inner.columns(), rows.clone(), paint.fill)?;
-        draw(inner.columns().end..outer.columns().end, rows.clone(), paint.stroke)?;
-        draw(columns.clone(), rows.end..inner_end, paint.fill)?;
-        draw(columns.clone(), inner_end..outer_end, paint.stroke)
-    }
-
-    fn corners(&self, outer: &PixelBox) -> [PixelBox; 4] {
-        let PixelBox { left, top, width, height } = *outer;
-        let (right, bottom) = (left + width, top + height);
-        let pixels = |left: i64, right: i64, top: i64, bottom: i64| PixelBox {
-            left,
-            top,
-            width: right - left,
-            height: bottom - top,
-        };
-        let (columns, rows) = (&self.columns, &self.rows);
-        [
-            pixels(left, columns.start, top, rows.start),
-            pixels(columns.end, right, top, rows.start),
-            pixels(left, columns.start, rows.end, bottom),
-            pixels(columns.end, right, rows.end, bottom),
-        ]
-    }
+    let (width, height) = (outer.pixels.columns(), outer.pixels.rows());
+    let [left, right] = [width.start..columns.start, columns.end..width.end];
+    let [above, below] = [height.start..rows.start, rows.end..height.end];
+    let between = |columns: &Range<i64>, rows: &Range<i64>| PixelBox::between(columns.clone(), rows.clone());
+    Some((
+        [between(&columns, &height), between(&left, &rows), between(&right, &rows)],
+        [between(&left, &above), between(&right, &above), between(&left, &below), between(&right, &below)],
+    ))
 }
 
 /// The rows of a rounded rectangle.
@@ -178,82 +134,67 @@ impl Rows {
     }
 
     fn columns(&mut self, row: i64) -> Range<i64> {
-        let PixelBox { top, height, .. } = self.shape.pixels;
-        if !self.shape.pixels.has_row(row) {
+        let (columns, rows) = (self.shape.pixels.columns(), self.shape.pixels.rows());
+        if !rows.contains(&row) {
             return 0..0;
         }
-        let columns = self.shape.pixels.columns();
-        let [top_left, top_right, bottom_right, bottom_left] = &mut self.corners;
+        let (above, below) = (row - rows.start, rows.end - 1 - row);
         let [a, b, c, d] = self.shape.radii;
-        let (above, below) = (row - top, top + height - 1 - row);
-        let cuts_empty = self.cuts_empty;
-        let cut = |(left, width): (Option<i64>, i64)| left.unwrap_or(if cuts_empty { width } else { 0 });
-        let left = cut(side(above, below, (top_left, a), (bottom_left, d)));
-        let right = cut(side(above, below, (top_right, b), (bottom_right, c)));
-        columns.start + left..columns.end - right
+        let [top_left, top_right, bottom_right, bottom_left] = &mut self.corners;
+        // How much the corners cut off one end of the row.
+        let cut = |upper: (&mut Curve, (i64, i64)), lower: (&mut Curve, (i64, i64))| {
+            let (rows, (curve, (width, height))) = if above < upper.1.1 {
+                (above, upper)
+            } else if below < lower.1.1 {
+                (below, lower)
+            } else {
+                return 0;
+            };
+            // The middle of the ellipse lies between two rows and two columns.
+            match curve.reach(2 * (height - rows) - 1) {
+                Some(reach) => width - (reach + 1) / 2,
+                None if self.cuts_empty => width,
+                None => 0,
+            }
+        };
+        let start = columns.start + cut((top_left, a), (bottom_left, d));
+        start..columns.end - cut((top_right, b), (bottom_right, c))
     }
 }
 
-/// How much the corners cut off one end of a row, which has so many rows above it and below it; none when the corner
-/// has no pixel there. And the width of the corner.
-fn side(
-    above: i64,
-    below: i64,
-    upper: (&mut Curve, (i64, i64)),
-    lower: (&mut Curve, (i64, i64)),
-) -> (Option<i64>, i64) {
-    let (rows, (curve, (width, height))) = if above < upper.1.1 {
-        (above, upper)
-    } else if below < lower.1.1 {
-        (below, lower)
-    } else {
-        return (Some(0), 0);
-    };
-    // The middle of the ellipse lies between two rows and two columns.
-    let cut = curve.reach(2 * (height - rows) - 1).map(|reach| width - (reach + 1) / 2);
-    (if width == 0 { Some(0) } else { cut }, width)
-}
+impl Boxed for RoundedRectangle {
+    fn pixels(&self) -> PixelBox {
+        PixelBox::new(self.rectangle.top_left, self.rectangle.size)
+    }
 
-impl Primitive for RoundedRectangle {
-    #[inline(never)]
-    fn draw_aliased<D: DrawTarget>(&self, paint: &Paint<D::Color>, target: &mut D) -> Result<(), D::Error> {
-        let outer = Rounded::new(self, paint.sides.outside());
-        let mut outline = Rows::new(outer, false);
-        let mut filled = Rows::new(Rounded::new(self, -paint.sides.inside()), paint.stroke.is_some());
-        draw_rows(&outer.pixels, paint, target, |row, parts| {
-            parts.add_ring(outline.columns(row), filled.columns(row));
+    fn draw_pixels<D: DrawTarget>(&self, boxes: &Boxes, paint: &Paint<D::Color>, to: &mut D) -> Result<(), D::Error> {
+        let [outer, inner] = Rounded::both(self, boxes, &paint.sides);
+        let (mut outline, mut filled) = (Rows::new(outer, false), Rows::new(inner, paint.stroke.is_some()));
+        draw_rows(&boxes.outer, to, |row, parts| {
+            parts.add_ring(paint, outline.columns(row), filled.columns(row));
         })
     }
 
-    fn draw_blended<D: DrawTarget, B: Blend<D>>(
-        &self,
-        paint: &Paint<D::Color>,
-        blended: &Blended<B>,
-        target: &mut D,
-    ) -> Result<(), D::Error>
-    where
-        D::Color: Mix,
-    {
-        let outer = Rounded::new(self, paint.sides.outside());
-        let inner = Rounded::new(self, -paint.sides.inside());
-        if !outer.pixels.can_be_blended() {
-            return self.draw_aliased(paint, target);
+    fn draw_layers<L: Layers>(&self, boxes: &Boxes, stroke: &Stroke, layers: &mut L) -> Result<(), L::Error> {
+        let mut both = Rounded::both(self, boxes, stroke);
+        if !layers.has_stroke() {
+            both[0] = both[1];
         }
-        let outer = if paint.stroke.is_some() { outer } else { inner };
-        let push = |outline: &mut Outline, room: usize, layer: Layer| {
-            let rounded = if layer == Layer::Outer { &outer } else { &inner };
-            rounded.push(outline, room);
-        };
-        match Cross::between(&outer, &inner).filter(|_| blended.opacity == 255) {
-            Some(cross) => {
-                cross.draw(&outer.pixels, &inner.pixels, paint, target)?;
-                draw_outlines_in(paint, blended, target, &cross.corners(&outer.pixels), push)
-            }
-            None => draw_outlines(paint, blended, target, &outer.pixels, push),
+        let [outer, inner] = &both;
+        let split = split(&both).filter(|_| layers.is_opaque());
+        if let Some((bands, _)) = &split {
+            let boxes = Boxes { outer: outer.pixels, inner: inner.pixels };
+            bands.iter().try_for_each(|band| layers.draw_whole(&boxes, band))?;
         }
-    }
-
-    fn styled_box(&self, stroke: &Stroke, _is_blended: bool) -> Rectangle {
-        PixelBox::new(self.rectangle.top_left, self.rectangle.size).offset(stroke.outside()).rectangle()
+        with_outlines(
+            layers.has_stroke(),
+            |outline, room, is_outer| if is_outer { outer.push(outline, room) } else { inner.push(outline, room) },
+            |outer, inner| match &split {
+                Some((_, corners)) => {
+                    corners.iter().try_for_each(|corner| layers.draw_tiles(&corner.rectangle().into(), &outer, &inner))
+                }
+                None => layers.draw(&outer, &inner),
+            },
+        )
     }
 }

@@ -2,11 +2,7 @@
 
 use core::{mem::swap, ops::Range};
 
-use embedded_graphics_core::{
-    draw_target::DrawTarget,
-    geometry::{Point, Size},
-    primitives::Rectangle,
-};
+use embedded_graphics_core::{draw_target::DrawTarget, pixelcolor::PixelColor};
 use heapless::Vec;
 
 use crate::PixelRect;
@@ -16,111 +12,71 @@ use super::{
     pixel_box::{PixelBox, cut},
 };
 
-/// What a pixel is part of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Part {
-    Stroke,
-    Fill,
-}
-
 /// The most parts that a row can have: five lines and two circles cut that of a sector into ten.
 const PARTS: usize = 12;
 
-/// The parts of one row from left to right.
+/// The parts of one row from left to right, and what of it is visible.
 #[derive(Debug)]
-pub(super) struct Row {
-    parts: Vec<(Range<i32>, Part), PARTS>,
+pub(super) struct Row<C> {
+    parts: Vec<(Range<i32>, C), PARTS>,
     clip: Range<i32>,
 }
 
-impl Row {
-    fn new(clip: &Range<i32>) -> Self {
-        Self { parts: Vec::new(), clip: clip.clone() }
-    }
-
+impl<C: PixelColor> Row<C> {
     /// The next pixels to the right; none where the range runs backwards.
-    pub(super) fn add(&mut self, columns: Range<i64>, part: Part) {
-        let columns = cut(&columns, &self.clip);
-        if columns.is_empty() {
-            return;
-        }
+    pub(super) fn add(&mut self, columns: Range<i64>, colour: Option<C>) {
+        let (Some(colour), columns) = (colour, cut(&columns, &self.clip)) else { return };
         match self.parts.last_mut() {
-            Some((last, last_part)) if last.end == columns.start && *last_part == part => last.end = columns.end,
+            _ if columns.is_empty() => {}
+            Some((last, other)) if last.end == columns.start && *other == colour => last.end = columns.end,
             // There is room for as many parts as a row can have.
-            _ => self.parts.push((columns, part)).unwrap_or_default(),
+            _ => self.parts.push((columns, colour)).unwrap_or_default(),
         }
     }
 
     /// The stroke around the fill, both from their outlines; either may be empty.
-    pub(super) fn add_ring(&mut self, outer: Range<i64>, inner: Range<i64>) {
-        if inner.is_empty() {
-            self.add(outer, Part::Stroke);
-        } else {
-            self.add(outer.start..inner.start, Part::Stroke);
-            self.add(inner.clone(), Part::Fill);
-            self.add(inner.end..outer.end, Part::Stroke);
-        }
+    pub(super) fn add_ring(&mut self, paint: &Paint<C>, outer: Range<i64>, inner: Range<i64>) {
+        let inner = if inner.is_empty() { outer.end..outer.end } else { inner };
+        self.add(outer.start..inner.start, paint.stroke);
+        self.add(inner.clone(), paint.fill);
+        self.add(inner.end..outer.end, paint.stroke);
     }
 
-    /// The pixels of `columns`, each of which `part` tells what it is part of; that changes only at the ends of
-    /// `ranges`.
-    pub(super) fn add_classified(
-        &mut self,
-        columns: &Range<i64>,
-        ranges: &[&Range<i64>],
-        part: impl Fn(i64) -> Option<Part>,
-    ) {
-        let visible = cut(columns, &self.clip);
-        let end = i64::from(visible.end);
-        let mut column = i64::from(visible.start);
+    /// The pixels of `columns`, each of which has its colour; that changes only at the ends of `ranges`.
+    pub(super) fn add_cut(&mut self, columns: Range<i64>, ranges: &[&Range<i64>], colour: impl Fn(i64) -> Option<C>) {
+        let (mut column, end) = (columns.start.max(self.clip.start.into()), columns.end.min(self.clip.end.into()));
         while column < end {
             let ends = ranges.iter().flat_map(|range| [range.start, range.end]);
             let next = ends.filter(|&end| end > column).fold(end, i64::min);
-            if let Some(part) = part(column) {
-                self.add(column..next, part);
-            }
+            self.add(column..next, colour(column));
             column = next;
         }
     }
-
-    fn send<D: DrawTarget>(&self, rows: Range<i32>, paint: &Paint<D::Color>, target: &mut D) -> Result<(), D::Error> {
-        for (columns, part) in &self.parts {
-            let colour = match part {
-                Part::Stroke => paint.stroke,
-                Part::Fill => paint.fill,
-            };
-            if let Some(colour) = colour {
-                let size = Size::new(columns.end.abs_diff(columns.start), rows.end.abs_diff(rows.start));
-                target.fill_solid(&Rectangle::new(Point::new(columns.start, rows.start), size), colour)?;
-            }
-        }
-        Ok(())
-    }
 }
 
-/// Draws the visible rows of `area`, whose parts `parts` names.
+/// Draws the visible rows of `area`, whose parts `parts` adds.
 pub(super) fn draw_rows<D: DrawTarget>(
     area: &PixelBox,
-    paint: &Paint<D::Color>,
     target: &mut D,
-    mut parts: impl FnMut(i64, &mut Row),
+    mut parts: impl FnMut(i64, &mut Row<D::Color>),
 ) -> Result<(), D::Error> {
-    let clip = PixelRect::from(target.bounding_box());
-    let PixelRect { rows, columns } = area.visible(&clip);
-    if columns.is_empty() {
-        return Ok(());
-    }
-    let end = rows.end;
-    let (mut a, mut b) = (Row::new(&columns), Row::new(&columns));
+    let PixelRect { rows, columns } = area.visible(&target.bounding_box().into());
+    let row = || Row { parts: Vec::new(), clip: columns.clone() };
+    let (mut a, mut b) = (row(), row());
     let (mut top, mut open, mut next) = (rows.start, &mut a, &mut b);
-    for row in rows {
+    let mut send = |open: &Row<D::Color>, rows: Range<i32>| {
+        open.parts.iter().try_for_each(|(columns, colour)| {
+            target.fill_solid(&PixelRect { rows: rows.clone(), columns: columns.clone() }.into(), *colour)
+        })
+    };
+    for row in rows.clone() {
         next.parts.clear();
         parts(row.into(), next);
         if next.parts != open.parts {
-            open.send(top..row, paint, target)?;
+            send(open, top..row)?;
             swap(&mut open, &mut next);
             top = row;
         }
     }
-    open.send(top..end, paint, target)
+    send(open, top..rows.end)
 }

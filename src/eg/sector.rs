@@ -1,26 +1,28 @@
-//! Sectors: circles cut by the wedge of the sweep, with a stroke along the arc and both straight sides.
+//! Arcs and sectors: circles cut by the wedge of the sweep; of sectors, with a stroke along the arc and both straight sides.
 //!
 //! Not blended, the straight sides of the stroke run through the middles of pixels: it begins half a pixel outside of the
 //! angle. Below 55 and above 305 degrees its corner is cut off square. Blended, it lies about the sides of the angle as
 //! its alignment says, an even width, too; without a stroke, a sector is exactly what lies within its angle, so that
 //! sectors which follow each other add up to the circle; one of no angle is nothing.
 
-use embedded_graphics::{geometry::Angle, primitives::Sector};
-use embedded_graphics_core::{draw_target::DrawTarget, primitives::Rectangle};
-
-use crate::{Blend, Mix};
+use embedded_graphics::{
+    geometry::Angle,
+    primitives::{Arc, Sector},
+};
+use embedded_graphics_core::{draw_target::DrawTarget, geometry::Size};
 
 use super::{
-    Blended,
-    circle::boxes,
+    boxes::Boxes,
     curve::Curve,
-    normal::unit,
-    outline::{Layer, draw_outlines},
+    ellipse::exact,
+    layers::Layers,
+    outline::{draw_outlines, with_outlines},
     paint::{Paint, Stroke},
-    pie::Pie,
-    rows::{Part, draw_rows},
-    styled::Primitive,
-    wedge::{DIRECTION, HalfPlane, Sweep, Wedge, direction},
+    pie::{Pie, Rays, direction, push_ring},
+    pixel_box::PixelBox,
+    rows::draw_rows,
+    styled::Boxed,
+    wedge::{DIRECTION, HalfPlane, Sweep, Wedge},
 };
 
 /// Which corner of the stroke is cut off.
@@ -51,7 +53,7 @@ fn middle(sector: &Sector) -> Angle {
 /// What of the plane a bevel takes from the stroke.
 fn cut_off(sector: &Sector, bevel: Bevel, stroke: &Stroke) -> HalfPlane {
     let quarter = Angle::from_radians(core::f32::consts::FRAC_PI_2);
-    let (cos, sin) = direction(match bevel {
+    let (cos, sin) = super::wedge::direction(match bevel {
         Bevel::Outer => middle(sector) - quarter,
         Bevel::Inner => middle(sector) + quarter,
     });
@@ -60,88 +62,100 @@ fn cut_off(sector: &Sector, bevel: Bevel, stroke: &Stroke) -> HalfPlane {
 }
 
 /// The outlines of the stroke and of what it leaves to fill.
-fn pies(sector: &Sector, stroke: &Stroke) -> (Pie, Pie) {
-    let (outer, inner) = boxes(&sector.to_circle(), stroke);
-    let wedge = Wedge::exact(sector.angle_start, sector.angle_sweep);
+fn pies(sector: &Sector, boxes: &Boxes, stroke: &Stroke) -> [Pie; 2] {
+    let rays = Rays::new(sector.angle_start, sector.angle_sweep);
     let at = 2 * 256 * stroke.outside();
-    let bevel = bevel(sector).and_then(|bevel| {
-        let at = if bevel == Bevel::Outer { -at } else { at };
-        Some((unit(direction(middle(sector)))?, at))
-    });
-    let (outside, inside) = stroke.exact_halves();
-    let outer = Pie {
-        pixels: outer,
-        wedge,
-        sweep: sector.angle_sweep,
-        offset: -128 * outside,
-        bevel: bevel.filter(|_| wedge.sweep == Sweep::Narrow),
+    let bisector = direction(crate::Angle::from_radians(middle(sector).to_radians()));
+    let bevel = bevel(sector).map(|bevel| (bisector, if bevel == Bevel::Outer { -at } else { at }));
+    let (outside, inside) = stroke.exact_sides();
+    let pie = |pixels: PixelBox, offset: i64, cut: Sweep| Pie {
+        pixels,
+        rays,
+        offset,
+        bevel: bevel.filter(|_| rays.sweep == cut),
     };
-    let inner =
-        Pie { pixels: inner, offset: 128 * inside, bevel: bevel.filter(|_| wedge.sweep == Sweep::Wide), ..outer };
-    (outer, inner)
+    [pie(boxes.outer, -outside, Sweep::Narrow), pie(boxes.inner, inside, Sweep::Wide)]
 }
 
-impl Primitive for Sector {
-    #[inline(never)]
-    fn draw_aliased<D: DrawTarget>(&self, paint: &Paint<D::Color>, target: &mut D) -> Result<(), D::Error> {
-        if paint.stroke.is_none() && self.angle_sweep == Angle::zero() {
-            return Ok(());
-        }
-        let stroke = &paint.sides;
-        let (outer, inner) = boxes(&self.to_circle(), stroke);
-        let (x, y) = outer.center_2x();
-        let (mut outside, mut inside) = (Curve::new(outer.width, outer.height), Curve::new(inner.width, inner.height));
+fn curves(boxes: &Boxes) -> [Curve; 2] {
+    [boxes.outer, boxes.inner].map(|pixels| Curve::new(pixels.width, pixels.height))
+}
+
+impl Boxed for Arc {
+    const HAS_INSIDE: bool = false;
+
+    fn pixels(&self) -> PixelBox {
+        PixelBox::new(self.top_left, Size::new_equal(self.diameter))
+    }
+
+    fn draw_pixels<D: DrawTarget>(&self, boxes: &Boxes, paint: &Paint<D::Color>, to: &mut D) -> Result<(), D::Error> {
+        let (center, [mut outer, mut inner]) = (boxes.outer.center_2x(), curves(boxes));
         let wedge = Wedge::new(self.angle_start, self.angle_sweep);
-        let bevel = bevel(self).map(|bevel| (bevel, cut_off(self, bevel, stroke)));
-        draw_rows(&outer, paint, target, |row, parts| {
-            let y = 2 * row - y;
-            let (outside, inside) = (outside.columns(y, x), inside.columns(y, x));
-            let [after_start, before_end] = wedge.sides(y, x, DIRECTION * (2 * stroke.outside() + 1));
-            let [after_stroke, before_stroke] = wedge.sides(y, x, DIRECTION * (1 - 2 * stroke.inside()));
-            let cut = bevel.map_or(0..0, |(_, plane)| plane.columns(y, x));
-            let ranges = [&inside, &after_start, &before_end, &after_stroke, &before_stroke, &cut];
-            parts.add_classified(&outside, &ranges, |column| {
-                if !wedge.holds(after_start.contains(&column), before_end.contains(&column)) {
-                    return None;
-                }
-                let mut is_filled = wedge.holds(after_stroke.contains(&column), before_stroke.contains(&column));
-                if let (false, true, Some((bevel, _))) = (is_filled, cut.contains(&column), bevel) {
-                    if bevel == Bevel::Outer {
-                        return None;
-                    }
-                    is_filled = true;
-                }
-                Some(if is_filled && inside.contains(&column) { Part::Fill } else { Part::Stroke })
+        draw_rows(&boxes.outer, to, |row, parts| {
+            let (outer, inner) = (outer.columns(row, center), inner.columns(row, center));
+            let [after_start, before_end] = wedge.sides(row, center, 0);
+            parts.add_cut(outer, &[&inner, &after_start, &before_end], |column| {
+                let is_held = wedge.holds(after_start.contains(&column), before_end.contains(&column));
+                paint.stroke.filter(|_| is_held && !inner.contains(&column))
             });
         })
     }
 
-    fn draw_blended<D: DrawTarget, B: Blend<D>>(
-        &self,
-        paint: &Paint<D::Color>,
-        blended: &Blended<B>,
-        target: &mut D,
-    ) -> Result<(), D::Error>
-    where
-        D::Color: Mix,
-    {
-        let (outer, mut inner) = pies(self, &paint.sides);
-        if paint.stroke.is_none() {
+    fn draw_layers<L: Layers>(&self, boxes: &Boxes, _stroke: &Stroke, layers: &mut L) -> Result<(), L::Error> {
+        let rays = Rays::new(self.angle_start, self.angle_sweep);
+        match rays.sweep {
+            Sweep::Whole => layers.draw(&exact(&boxes.outer), &exact(&boxes.inner)),
+            _ => with_outlines(
+                false,
+                |outline, room, _| push_ring(outline, room, &boxes.outer, &boxes.inner, &rays),
+                |_, ring| layers.stroke(&ring),
+            ),
+        }
+    }
+}
+
+impl Boxed for Sector {
+    fn pixels(&self) -> PixelBox {
+        PixelBox::new(self.top_left, Size::new_equal(self.diameter))
+    }
+
+    fn draw_pixels<D: DrawTarget>(&self, boxes: &Boxes, paint: &Paint<D::Color>, to: &mut D) -> Result<(), D::Error> {
+        if paint.stroke.is_none() && self.angle_sweep == Angle::zero() {
+            return Ok(());
+        }
+        let stroke = &paint.sides;
+        let (center, [mut outer, mut inner]) = (boxes.outer.center_2x(), curves(boxes));
+        let wedge = Wedge::new(self.angle_start, self.angle_sweep);
+        let bevel = bevel(self).map(|bevel| (bevel, cut_off(self, bevel, stroke)));
+        draw_rows(&boxes.outer, to, |row, parts| {
+            let (outer, inner) = (outer.columns(row, center), inner.columns(row, center));
+            let [after_start, before_end] = wedge.sides(row, center, DIRECTION * (2 * stroke.outside() + 1));
+            let [after_stroke, before_stroke] = wedge.sides(row, center, DIRECTION * (1 - 2 * stroke.inside()));
+            let cut = bevel.map_or(0..0, |(_, plane)| plane.columns(row, center));
+            let ranges = [&inner, &after_start, &before_end, &after_stroke, &before_stroke, &cut];
+            parts.add_cut(outer, &ranges, |column| {
+                if !wedge.holds(after_start.contains(&column), before_end.contains(&column)) {
+                    return None;
+                }
+                let is_filled = wedge.holds(after_stroke.contains(&column), before_stroke.contains(&column));
+                let is_filled = match bevel {
+                    Some((Bevel::Outer, _)) if !is_filled && cut.contains(&column) => return None,
+                    Some((Bevel::Inner, _)) => is_filled || cut.contains(&column),
+                    _ => is_filled,
+                };
+                if is_filled && inner.contains(&column) { paint.fill } else { paint.stroke }
+            });
+        })
+    }
+
+    fn draw_layers<L: Layers>(&self, boxes: &Boxes, stroke: &Stroke, layers: &mut L) -> Result<(), L::Error> {
+        let [outer, mut inner] = pies(self, boxes, stroke);
+        if !layers.has_stroke() {
             if self.angle_sweep == Angle::zero() {
                 return Ok(());
             }
             (inner.offset, inner.bevel) = (0, None);
         }
-        if !outer.pixels.can_be_blended() {
-            return self.draw_aliased(paint, target);
-        }
-        draw_outlines(paint, blended, target, &outer.pixels, |outline, room, layer| {
-            let pie = if layer == Layer::Outer { &outer } else { &inner };
-            pie.push(outline, room);
-        })
-    }
-
-    fn styled_box(&self, stroke: &Stroke, _is_blended: bool) -> Rectangle {
-        boxes(&self.to_circle(), stroke).0.rectangle()
+        draw_outlines(layers, |outline, room, is_outer| if is_outer { &outer } else { &inner }.push(outline, room))
     }
 }

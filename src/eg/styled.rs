@@ -12,26 +12,89 @@ use crate::{
 
 use super::{
     Blended, Style,
+    boxes::Boxes,
+    layers::{Blending, Layers},
     paint::{Paint, Stroke},
+    pixel_box::PixelBox,
 };
 
 /// A primitive that this crate can draw.
 pub(super) trait Primitive {
+    /// Whether there is something to fill.
+    const HAS_INSIDE: bool;
+
     /// Pixels that belong or do not, in the order that suits the primitive.
     fn draw_aliased<D: DrawTarget>(&self, paint: &Paint<D::Color>, target: &mut D) -> Result<(), D::Error>;
 
-    /// Each pixel at most once.
-    fn draw_blended<D: DrawTarget, B: Blend<D>>(
-        &self,
-        paint: &Paint<D::Color>,
-        blended: &Blended<B>,
-        target: &mut D,
-    ) -> Result<(), D::Error>
-    where
-        D::Color: Mix;
+    /// Hands over what the stroke ends at and what it leaves to fill.
+    fn draw_areas<L: Layers>(&self, stroke: &Stroke, layers: &mut L) -> Result<(), L::Error>;
 
     /// A rectangle outside which nothing is drawn.
     fn styled_box(&self, stroke: &Stroke, is_blended: bool) -> Rectangle;
+
+    /// Whether there is nothing to blend, or too far away for it.
+    fn is_aliased(&self, _stroke: &Stroke, _opacity: u8) -> bool {
+        false
+    }
+}
+
+/// A primitive that lies in a box of whole pixels, which its stroke moves the sides of.
+pub(super) trait Boxed {
+    const HAS_INSIDE: bool = true;
+
+    /// Without the stroke.
+    fn pixels(&self) -> PixelBox;
+
+    /// As [`Primitive::draw_aliased`].
+    fn draw_pixels<D: DrawTarget>(&self, boxes: &Boxes, paint: &Paint<D::Color>, to: &mut D) -> Result<(), D::Error>;
+
+    /// As [`Primitive::draw_areas`].
+    fn draw_layers<L: Layers>(&self, boxes: &Boxes, stroke: &Stroke, layers: &mut L) -> Result<(), L::Error>;
+
+    /// Whether it covers no pixel in part.
+    fn is_whole(&self) -> bool {
+        false
+    }
+}
+
+impl<P: Boxed> Primitive for P {
+    const HAS_INSIDE: bool = P::HAS_INSIDE;
+
+    #[inline(never)]
+    fn draw_aliased<D: DrawTarget>(&self, paint: &Paint<D::Color>, target: &mut D) -> Result<(), D::Error> {
+        self.draw_pixels(&Boxes::new(self.pixels(), &paint.sides), paint, target)
+    }
+
+    fn draw_areas<L: Layers>(&self, stroke: &Stroke, layers: &mut L) -> Result<(), L::Error> {
+        self.draw_layers(&Boxes::new(self.pixels(), stroke), stroke, layers)
+    }
+
+    fn styled_box(&self, stroke: &Stroke, _is_blended: bool) -> Rectangle {
+        Boxes::new(self.pixels(), stroke).outer.rectangle()
+    }
+
+    fn is_aliased(&self, stroke: &Stroke, opacity: u8) -> bool {
+        !Boxes::new(self.pixels(), stroke).outer.can_be_blended() || (self.is_whole() && opacity == 255)
+    }
+}
+
+/// Each pixel at most once.
+fn draw_blended<P: Primitive, D: DrawTarget, B: Blend<D>>(
+    primitive: &P,
+    style: &Style<D::Color, Blended<B>>,
+    target: &mut D,
+) -> Result<(), D::Error>
+where
+    D::Color: Mix,
+{
+    let (paint, blended) = (Paint::new(style, P::HAS_INSIDE), &style.edges);
+    if blended.opacity == 0 {
+        return Ok(());
+    }
+    if primitive.is_aliased(&paint.sides, blended.opacity) {
+        return primitive.draw_aliased(&paint, target);
+    }
+    primitive.draw_areas(&paint.sides, &mut Blending { paint: &paint, blended, target })
 }
 
 /// Draws styled primitives whose blending needs more than a `DrawTarget`: [`ReadBack`](crate::ReadBack) needs
@@ -73,7 +136,7 @@ macro_rules! styled {
             type Output = ();
 
             fn draw_styled<D: DrawTarget<Color = C>>(&self, style: &Style<C>, target: &mut D) -> Result<(), D::Error> {
-                self.draw_aliased(&Paint::new(style), target)
+                self.draw_aliased(&Paint::new(style, <$primitive as Primitive>::HAS_INSIDE), target)
             }
         }
 
@@ -99,7 +162,7 @@ macro_rules! styled {
             where
                 B: Blend<D>,
             {
-                self.primitive.draw_blended(&Paint::new(&self.style), &self.style.edges, target)
+                draw_blended(&self.primitive, &self.style, target)
             }
         }
     )+};
@@ -113,7 +176,7 @@ macro_rules! styled {
                 style: &Style<$colour, Blended<$blend>>,
                 target: &mut D,
             ) -> Result<(), D::Error> {
-                self.draw_blended(&Paint::new(style), &style.edges, target)
+                draw_blended(self, style, target)
             }
         }
     };

@@ -14,16 +14,6 @@ use embedded_graphics_core::{
 
 use crate::{BlockSink, Line, PixelRect, Vertex, shape::Shape};
 
-/// Draws the line between two pixels.
-pub(super) fn draw_thin<D: DrawTarget>(
-    start: Point,
-    end: Point,
-    colour: D::Color,
-    target: &mut D,
-) -> Result<(), D::Error> {
-    draw_without(None, start, end, colour, target)
-}
-
 /// Draws the lines from pixel to pixel, each without the one that it starts in but for the first.
 pub(super) fn draw_chain<D: DrawTarget>(
     points: impl Iterator<Item = Point>,

@@ -25,38 +25,32 @@ pub(super) enum Sweep {
     Whole,
 }
 
+impl Sweep {
+    pub(super) fn of(sweep: Angle) -> Self {
+        let turned = sweep.abs();
+        if turned >= Angle::from_radians(2.0 * core::f32::consts::PI) {
+            Self::Whole
+        } else if turned >= Angle::from_radians(core::f32::consts::PI) {
+            Self::Wide
+        } else {
+            Self::Narrow
+        }
+    }
+}
+
 /// From one direction clockwise to another.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Wedge {
-    pub(super) start: (i64, i64),
-    pub(super) end: (i64, i64),
-    pub(super) sweep: Sweep,
+    start: (i64, i64),
+    end: (i64, i64),
+    sweep: Sweep,
 }
 
 impl Wedge {
     pub(super) fn new(start: Angle, sweep: Angle) -> Self {
         let end = start + sweep;
-        let turned = sweep.abs();
         let (start, end) = if sweep < Angle::zero() { (end, start) } else { (start, end) };
-        let sweep = if turned >= Angle::from_radians(2.0 * core::f32::consts::PI) {
-            Sweep::Whole
-        } else if turned >= Angle::from_radians(core::f32::consts::PI) {
-            Sweep::Wide
-        } else {
-            Sweep::Narrow
-        };
-        Self { start: direction(start), end: direction(end), sweep }
-    }
-
-    /// The same for blending, with directions in 2^-30 that are off by less than 2^-22 of a turn, as far as an angle in
-    /// single precision goes.
-    pub(super) fn exact(start: Angle, sweep: Angle) -> Self {
-        let direction = |angle: Angle| {
-            let (sin, cos) = crate::Angle::from_radians(angle.to_radians()).sin_cos();
-            (i64::from(cos), i64::from(sin))
-        };
-        let (from, to) = if sweep < Angle::zero() { (start + sweep, start) } else { (start, start + sweep) };
-        Self { start: direction(from), end: direction(to), ..Self::new(start, sweep) }
+        Self { start: direction(start), end: direction(end), sweep: Sweep::of(sweep) }
     }
 
     /// Whether something lies in the wedge that lies on these sides of its start and its end.
@@ -70,11 +64,11 @@ impl Wedge {
 
     /// The columns on a row that lie to the right of the start, or at most `behind` to the left of it; and the same,
     /// mirrored, for the end.
-    pub(super) fn sides(&self, y: i64, center_2x: i64, behind: i64) -> [Range<i64>; 2] {
+    pub(super) fn sides(&self, row: i64, center_2x: (i64, i64), behind: i64) -> [Range<i64>; 2] {
         let ((cos, sin), (end_cos, end_sin)) = (self.start, self.end);
         [
-            HalfPlane { normal: (-sin, cos), at_least: -behind }.columns(y, center_2x),
-            HalfPlane { normal: (end_sin, -end_cos), at_least: -behind }.columns(y, center_2x),
+            HalfPlane { normal: (-sin, cos), at_least: -behind }.columns(row, center_2x),
+            HalfPlane { normal: (end_sin, -end_cos), at_least: -behind }.columns(row, center_2x),
         ]
     }
 }
@@ -103,9 +97,9 @@ pub(super) struct HalfPlane {
 }
 
 impl HalfPlane {
-    /// The columns of the row `y` from the middle, which is at `center_2x`.
-    pub(super) fn columns(&self, y: i64, center_2x: i64) -> Range<i64> {
-        let (x, rest) = (self.normal.0, self.at_least - self.normal.1 * y);
+    /// The columns of a row, around twice the middle.
+    pub(super) fn columns(&self, row: i64, (center_2x, y): (i64, i64)) -> Range<i64> {
+        let (x, rest) = (self.normal.0, self.at_least - self.normal.1 * (2 * row - y));
         // x (2 column - center_2x) >= rest
         match x {
             0 if rest <= 0 => -FAR..FAR,

@@ -5,10 +5,12 @@ mod element;
 mod number;
 mod parse;
 mod transform;
+mod transformed;
 
 pub use element::{ArcTo, Element};
 pub use parse::{PathError, SvgElements};
 pub use transform::Transform;
+pub use transformed::Transformed;
 
 use crate::outline::{Curve, Curves, FinePoint, FineRect, Outline, RowCounts, Step, StrokeReach, Vertices};
 

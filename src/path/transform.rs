@@ -95,6 +95,11 @@ impl Transform {
         FinePoint { x: row(self.xx, x, self.xy, y, self.by.x), y: row(self.yx, x, self.yy, y, self.by.y) }
     }
 
+    /// Whether what was clockwise no longer is.
+    pub(super) const fn mirrors(&self) -> bool {
+        (self.xx as i64 * self.yy as i64) < self.xy as i64 * self.yx as i64
+    }
+
     /// The half axes of an ellipse, turned and then transformed, with eight fraction bits more than points.
     pub(crate) const fn axes(&self, radii: FinePoint, rotation: Angle) -> [Vector; 2] {
         let (sin, cos) = rotation.sin_cos();

@@ -68,3 +68,13 @@ pub trait Cover {
     /// The sink's, at once.
     fn coverage<S: CoverageSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error>;
 }
+
+impl<C: Cover> Cover for &C {
+    fn touched(&self) -> PixelRect {
+        (**self).touched()
+    }
+
+    fn coverage<S: CoverageSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
+        (**self).coverage(clip, sink)
+    }
+}

@@ -23,6 +23,8 @@ mod run;
 mod style;
 mod walk;
 
+#[cfg(feature = "embedded-graphics")]
+pub(crate) use normal::{Unit, length_q16};
 pub use style::{Align, Cap, Join, StrokeStyle};
 
 use crate::outline::{Curves, FinePoint, FineRect, Outline, OutlineSink, Vertices, WindingRule, hull};

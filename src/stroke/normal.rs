@@ -8,13 +8,13 @@ pub(super) const UNIT: i64 = 1 << UNIT_BITS;
 
 /// A vector of length 1, with 30 fraction bits: each part is within 2^-30.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Unit(pub(super) Vector);
+pub(crate) struct Unit(pub(crate) Vector);
 
 impl Unit {
-    pub(super) const RIGHT: Self = Self(Vector::new(UNIT, 0));
+    pub(crate) const RIGHT: Self = Self(Vector::new(UNIT, 0));
 
     /// The direction of a vector; none of the one that has no length. Parts of up to 2^62.
-    pub(super) fn along(vector: Vector) -> Option<Self> {
+    pub(crate) fn along(vector: Vector) -> Option<Self> {
         let size = vector.x.unsigned_abs() | vector.y.unsigned_abs();
         if size == 0 {
             return None;
@@ -38,12 +38,12 @@ impl Unit {
     }
 
     /// To its right, as seen along it with y upwards; clockwise where y grows downwards.
-    pub(super) const fn turned(self) -> Self {
+    pub(crate) const fn turned(self) -> Self {
         Self(self.0.turned())
     }
 
     /// What it was before it was turned.
-    pub(super) const fn turned_back(self) -> Self {
+    pub(crate) const fn turned_back(self) -> Self {
         Self(Vector::new(self.0.y, -self.0.x))
     }
 
@@ -51,16 +51,16 @@ impl Unit {
         Self(Vector::new(-self.0.x, -self.0.y))
     }
 
-    pub(super) const fn dot(self, other: Self) -> i64 {
+    pub(crate) const fn dot(self, other: Self) -> i64 {
         self.0.x * other.0.x + self.0.y * other.0.y
     }
 
-    pub(super) const fn cross(self, other: Self) -> i64 {
+    pub(crate) const fn cross(self, other: Self) -> i64 {
         self.0.x * other.0.y - self.0.y * other.0.x
     }
 
     /// So long, rounded. `length` below 2^32.
-    pub(super) const fn times(self, length: i64) -> Vector {
+    pub(crate) const fn times(self, length: i64) -> Vector {
         Vector::new(shift_half_even(self.0.x * length, UNIT_BITS), shift_half_even(self.0.y * length, UNIT_BITS))
     }
 
@@ -71,7 +71,7 @@ impl Unit {
 }
 
 /// The length of a vector between points, in 2^-16 pixel, off by less than one.
-pub(super) fn length_q16(vector: Vector) -> u64 {
+pub(crate) fn length_q16(vector: Vector) -> u64 {
     let (x, y) = (vector.x.unsigned_abs(), vector.y.unsigned_abs());
     if (x | y) < 1 << 27 {
         ((x * x + y * y) << 8).isqrt()
