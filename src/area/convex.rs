@@ -10,146 +10,105 @@
 
 use core::ops::Range;
 
-use crate::{
-    area::{
-        AreaSink, PlacedAreaSink,
-        accumulator::{Accumulator, WINDOW_COLUMNS},
-        chain::CoverageEdge,
-        emission::Emission,
-        far::{Far, Vertices},
-        pair::{NO_AREAS, send_pair},
-        source::{FINE_BITS, Outline, Point, Source},
-        tiles::{REACH, for_each_tile},
-    },
-    contours::next_index,
+use heapless::Vec;
+
+use crate::area::{
+    AreaSink, PlacedAreaSink, WINDOW,
+    edge::Edge,
+    far::each_part,
+    row::{Row, Sides},
+    source::{FINE_BITS, FINE_ONE, Point},
+    tiles::{REACH, for_each_tile},
 };
+
+/// Four edges, each of which a tile may cut in two that it sees something of.
+type Edges = Vec<Edge, 8>;
 
 /// Sends the areas of a convex outline in some rows and columns.
 ///
-/// Its `N` vertices are in 2^-16 pixel and clockwise as seen on the screen, the first of them a topmost one.
-pub(crate) fn send_convex<const N: usize>(
-    vertices: &[(i64, i64); N],
+/// Its vertices, four at the most, are in 2^-16 pixel and clockwise as seen on the screen.
+pub(crate) fn send_convex(
+    vertices: &[(i64, i64)],
     rows: &Range<i32>,
     columns: &Range<i32>,
     sink: &mut dyn PlacedAreaSink,
 ) {
-    let corner = (columns.start, rows.start);
-    let size = (columns.end - columns.start, rows.end - rows.start);
-    let mut points = [Point { x: 0, y: 0 }; N];
-    let mut is_near = true;
-    for (point, vertex) in points.iter_mut().zip(vertices) {
-        let relative = |at: i64, corner: i32| at.wrapping_sub(i64::from(corner) << FINE_BITS);
-        let (x, y) = (relative(vertex.0, corner.0), relative(vertex.1, corner.1));
-        is_near &= x.unsigned_abs() <= REACH && y.unsigned_abs() <= REACH;
-        #[allow(clippy::cast_possible_truncation, reason = "where it matters, at most 2^29")]
-        let near = Point { x: x as i32, y: y as i32 };
-        *point = near;
-    }
-    if is_near {
+    let Some(&last) = vertices.last() else { return };
+    let mut send = |tile: (i32, i32), corner: (i32, i32), size: (i32, i32)| {
+        let (mut edges, mut from) = (Edges::new(), last);
+        for &to in vertices {
+            each_part([from, to], tile, corner, |from, to| push(&mut edges, from, to, size));
+            from = to;
+        }
         sink.place(corner);
-        fill_convex(Source::Outline(&Ring(points)), size, sink);
-        return;
-    }
-    for_each_tile(rows, columns, |tile, corner, size| {
-        sink.place(corner);
-        let far = Far { vertices: Vertices::Ring(vertices), tile, corner };
-        fill_convex(Source::Outline(&far), size, sink)
+        send_edges(&mut edges, size, sink)
+    };
+    let (corner, size) = ((columns.start, rows.start), (columns.end - columns.start, rows.end - rows.start));
+    let mut from = last;
+    let is_near = vertices.iter().all(|&to| {
+        let (dx, dy) = (to.0.abs_diff(from.0), to.1.abs_diff(from.1));
+        from = to;
+        dx <= REACH && dy <= REACH
     });
-}
-
-/// A contour that is near.
-struct Ring<const N: usize>([Point; N]);
-
-impl<const N: usize> Outline for Ring<N> {
-    fn contours(&self) -> u32 {
-        1
-    }
-
-    fn first(&self, _: u32) -> Option<u32> {
-        Some(0)
-    }
-
-    fn next(&self, _: u32, index: u32, is_forward: bool) -> u32 {
-        next_index(&self.0, index, is_forward)
-    }
-
-    fn vertex(&self, _: u32, index: u32) -> Point {
-        self.0.get(index as usize).copied().unwrap_or(Point { x: 0, y: 0 })
+    if is_near {
+        send(corner, corner, size);
+    } else {
+        for_each_tile(rows, columns, send);
     }
 }
 
-/// Sends the areas of an outline of one convex contour; see [`send_convex`].
+/// Keeps an edge, unless nothing is seen of it.
+fn push(edges: &mut Edges, from: Point, to: Point, (width, height): (i32, i32)) {
+    let is_right = from.x.min(to.x) >> FINE_BITS >= width;
+    let is_outside = from.y.max(to.y) <= 0 || from.y.min(to.y) >> FINE_BITS >= height;
+    if !is_right
+        && !is_outside
+        && let Some(edge) = Edge::new(from, to)
+    {
+        // There are never more.
+        let _ = edges.push(edge);
+    }
+}
+
 #[inline(never)]
-fn fill_convex(outline: Source<'_>, (width, height): (i32, i32), sink: &mut dyn AreaSink) -> bool {
-    let mut row = (outline.vertex(0, 0).y >> FINE_BITS).max(0);
-    let (mut left, mut right) = (CoverageEdge::EMPTY, CoverageEdge::EMPTY);
-    let (mut rows, mut areas) = (ConvexRows::new(width), NO_AREAS);
-    if !right.begin(&outline, (0, 0), 1, row << FINE_BITS) || !left.begin(&outline, (0, 0), -1, row << FINE_BITS) {
-        return true;
+fn send_edges(edges: &mut [Edge], (width, height): (i32, i32), sink: &mut dyn AreaSink) -> bool {
+    let (mut top, mut bottom) = (i32::MAX, 0);
+    for edge in &*edges {
+        (top, bottom) = (top.min(edge.top), bottom.max(edge.bottom));
     }
-    while row < height {
-        let row_top = row << FINE_BITS;
-        let extent = |side: &mut CoverageEdge| {
-            let low = side.advance(&outline, row_top);
-            low >> FINE_BITS..side.high >> FINE_BITS
+    let mut row = top.max(0) >> FINE_BITS;
+    for edge in &mut *edges {
+        edge.skip_to(row << FINE_BITS);
+    }
+    let end = height.min((bottom + FINE_ONE - 1) >> FINE_BITS);
+    let mut areas = [0; WINDOW];
+    while row < end {
+        let (mut left, mut right) = (width..i32::MIN, width..i32::MIN);
+        let (mut inside, mut unseen) = (0, 0);
+        for edge in &mut *edges {
+            if !edge.advance(row << FINE_BITS) {
+                continue;
+            }
+            let (first, last) = edge.columns();
+            let side = if edge.is_left() { &mut left } else { &mut right };
+            (side.start, side.end) = (side.start.min(first), side.end.max(last + 1));
+            unseen += edge.signed_area();
+            inside += edge.signed_area().max(0);
+        }
+        // Edges to the right of all columns have been left out.
+        if unseen > 0 {
+            right.end = width;
+        }
+        let add = |sides, start: i32, areas: &mut [i32]| {
+            areas.fill(if sides == Sides::Right { inside } else { 0 });
+            for edge in edges.iter().filter(|edge| edge.is_of(sides)) {
+                edge.add(start, areas);
+            }
         };
-        let extents = (extent(&mut left), extent(&mut right));
-        let pair = ((&mut left, extents.0.start), (&mut right, extents.1.start));
-        let goes_on = send_pair(row, width, pair.0, pair.1, &mut areas, sink).unwrap_or_else(|| {
-            let add = |accumulator: &mut Accumulator| {
-                left.add(&outline, row_top, 1, accumulator);
-                right.add(&outline, row_top, -1, accumulator);
-            };
-            rows.send(row, extents, add, sink)
-        });
-        if !goes_on {
+        if !(Row { row, width, left, right, inside }).send(&mut areas, add, sink) {
             return false;
         }
-        if left.ends || right.ends {
-            break;
-        }
-        left.leave_row();
-        right.leave_row();
         row += 1;
     }
     true
-}
-
-/// Sends rows that lie between a left side and a right one.
-pub(super) struct ConvexRows {
-    accumulator: Accumulator,
-    width: i32,
-}
-
-impl ConvexRows {
-    pub(super) const fn new(width: i32) -> Self {
-        Self { accumulator: Accumulator::new(), width }
-    }
-
-    /// Sends a row; `extents` are the first and the last column of either side, which `add` adds.
-    #[inline]
-    pub(super) fn send(
-        &mut self,
-        row: i32,
-        (left, right): (Range<i32>, Range<i32>),
-        mut add: impl FnMut(&mut Accumulator),
-        sink: &mut dyn AreaSink,
-    ) -> bool {
-        let mut start = left.start.max(0);
-        let end = self.width.min(right.end.saturating_add(2));
-        while start < end {
-            self.accumulator.begin(start, 0);
-            add(&mut self.accumulator);
-            let reach = start + WINDOW_COLUMNS;
-            // Behind the column after the left side, there is nothing to add up before the right one.
-            let is_gap = left.end + 1 < reach && right.start >= reach;
-            let until = if is_gap { end.min(right.start) } else { end.min(reach) };
-            let emission = Emission { row, start, until, is_complete: is_gap, gap: None };
-            if !self.accumulator.emit(emission, sink) {
-                return false;
-            }
-            start = until;
-        }
-        true
-    }
 }
