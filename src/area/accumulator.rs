@@ -70,13 +70,13 @@ impl Steepness {
 
     /// For a distance in 2^-32 pixel.
     #[inline]
-    pub(super) fn over(self, distance: u64) -> u64 {
+    fn over(self, distance: u64) -> u64 {
         (distance >> FINE_BITS).wrapping_mul(u64::from(self.factor))
     }
 
     /// What that is in 2^-20 pixel, to the nearest.
     #[inline]
-    pub(super) fn height(self, product: u64) -> i32 {
+    fn height(self, product: u64) -> i32 {
         const FINER: u32 = CELL_BITS - FINE_BITS;
         let shift = u32::from(self.shift & 63);
         let height = if shift > FINER { (product >> (shift - FINER - 1)).wrapping_add(1) >> 1 } else { product };

@@ -5,7 +5,7 @@ const HAS_WIDE_DIVISION: bool = cfg!(target_pointer_width = "64");
 
 /// `(numerator << 32) / divisor`, rounded down; 0 by 0.
 #[inline]
-pub(super) fn ratio(numerator: u32, divisor: u32) -> u64 {
+pub(crate) fn ratio(numerator: u32, divisor: u32) -> u64 {
     ratio_in::<HAS_WIDE_DIVISION>(numerator, divisor)
 }
 

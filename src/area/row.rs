@@ -11,10 +11,10 @@
 
 use core::ops::Range;
 
-use crate::area::{AreaSink, WINDOW, accumulator::WINDOW_COLUMNS};
+use crate::area::{AreaSink, accumulator::WINDOW_COLUMNS};
 
 /// Fewer columns between the sides are part of their run.
-const GAP: i32 = 4;
+pub(super) const GAP: usize = 4;
 
 /// Which sides have something in some columns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,7 +41,7 @@ impl Row {
     #[inline]
     pub(super) fn send(
         &self,
-        areas: &mut [i32; WINDOW],
+        areas: &mut [i32],
         mut cover: impl FnMut(Sides, i32, &mut [i32]),
         sink: &mut dyn AreaSink,
     ) -> bool {
@@ -60,7 +60,7 @@ impl Row {
             true
         };
         let gap = left.end.max(0)..right.start.min(width);
-        if gap.end - gap.start <= GAP {
+        if gap.len() <= GAP {
             return window(Sides::Both, left.start.min(right.start)..left.end.max(right.end), sink);
         }
         window(Sides::Left, left.clone(), sink)
