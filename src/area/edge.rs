@@ -22,8 +22,7 @@ use crate::area::{
 /// Bits behind the binary point of distances, heights and areas within a pixel.
 const CELL_BITS: u32 = 24;
 
-/// How far an edge goes down over a distance along x: `((distance << up) * factor) >> (32 + down)`, where one of the two shifts is
-/// 0.
+/// How far an edge goes down over a distance along x: `((distance << up) * factor) >> (32 + down)`, one of the two shifts being 0.
 #[derive(Debug, Clone, Copy)]
 struct Steepness {
     factor: u32,
@@ -46,18 +45,19 @@ impl Steepness {
         Self { factor, up, down }
     }
 
-    /// For a distance that is not wider than the edge is in a row.
+    /// In 2^-56 pixel, for a distance that is not wider than the edge is in a row.
     #[inline]
     fn product(self, distance: u32) -> u64 {
-        u64::from(distance << (self.up & 31)) * u64::from(self.factor)
+        (u64::from(distance << (self.up & 31)) * u64::from(self.factor)) >> (self.down & 31)
     }
+}
 
-    #[inline]
-    fn height(self, product: u64) -> u32 {
-        #[allow(clippy::cast_possible_truncation, reason = "the upper half")]
-        let height = ((product >> 32) as u32) >> (self.down & 31);
-        height
-    }
+/// From 2^-56 pixel.
+#[inline]
+fn height_of(product: u64) -> u32 {
+    #[allow(clippy::cast_possible_truncation, reason = "the upper half")]
+    let height = (product >> 32) as u32;
+    height
 }
 
 /// An edge that goes down.
@@ -170,7 +170,7 @@ impl Piece {
         for area in others {
             // Too few to be unrolled.
             black_box(());
-            let at = self.steepness.height(product).min(height);
+            let at = height_of(product).min(height);
             *area = of(at - trapezoid(x + height, at - gone));
             product = product.wrapping_add(per_column);
             (gone, x) = (at, 0);
@@ -192,13 +192,13 @@ impl Piece {
             if column < 0 {
                 let unseen = u64::from(column.unsigned_abs()) - 1;
                 product = product.wrapping_add(per_column.wrapping_mul(unseen));
-                gone = steepness.height(product).min(height);
+                gone = height_of(product).min(height);
                 product = product.wrapping_add(per_column);
                 (column, x) = (0, 0);
             }
             while column < last {
                 let Some(area) = areas.next() else { return };
-                let at = steepness.height(product).min(height);
+                let at = height_of(product).min(height);
                 *area = area.wrapping_add(sign.wrapping_mul((at - trapezoid(x + one, at - gone)).cast_signed()));
                 product = product.wrapping_add(per_column);
                 (gone, x) = (at, 0);
