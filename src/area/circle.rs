@@ -17,12 +17,12 @@
 //! Both sides are the same but for where the columns' borders are. Everything is worked out from a row and a column alone, so
 //! no clip changes a bit. Lengths are in 2^-16 pixel.
 
-use core::ops::Range;
+use core::ops::{Add, Neg, Range, Sub};
 
 use crate::{
     area::{
         AreaSink, PlacedAreaSink, WINDOW,
-        root::root,
+        root::{root, root_of_word},
         row::{Row, Sides},
         source::{FINE_BITS, FINE_ONE},
         tiles::{REACH, for_each_tile},
@@ -36,6 +36,12 @@ const FINER: u32 = FINE_BITS - SUBPIXEL_BITS;
 /// From a height to the area of a pixel of that height.
 const TO_AREA: u32 = 24 - FINE_BITS;
 
+/// From this radius on, in 1/256 pixel, rows are taken as they are.
+const WHOLE_ROWS: u32 = 563;
+
+/// From this one on they are cut in four, below in sixteen.
+const QUARTERS: u32 = 256;
+
 /// Sends the areas of a circle in some rows and columns; `center` and `radius` are in 1/256 pixel, the radius
 /// positive.
 pub(crate) fn send_circle(
@@ -46,103 +52,152 @@ pub(crate) fn send_circle(
     sink: &mut dyn PlacedAreaSink,
 ) {
     let radius = radius.unsigned_abs();
-    let mut send = |corner: (i32, i32), size: (i32, i32)| {
-        let relative = |at: i32, corner: i32| (i64::from(at) << FINER) - (i64::from(corner) << FINE_BITS);
-        let circle = Circle {
-            x: relative(center.0, corner.0),
-            y: relative(center.1, corner.1),
-            radius: i64::from(radius) << FINER,
-            bulge: (
-                (u32::MAX / radius.max(1) / 3).saturating_mul(4),
-                (u32::MAX / radius.max(1) / radius.max(1)).saturating_mul(3) / 40,
-            ),
-            parts: if radius >= 563 {
-                0
-            } else if radius >= 256 {
-                2
-            } else {
-                4
-            },
-        };
+    if u64::from(radius) << FINER <= REACH {
+        let size = (columns.end - columns.start, rows.end - rows.start);
+        sink.place((columns.start, rows.start));
+        Circle::<i32>::new(center, radius, (columns.start, rows.start)).send(size, sink);
+        return;
+    }
+    for_each_tile(rows, columns, |_, corner, size| {
         sink.place(corner);
-        circle.send(size, sink)
-    };
-    let is_near = u64::from(radius) << FINER <= REACH;
-    if is_near {
-        send((columns.start, rows.start), (columns.end - columns.start, rows.end - rows.start));
-    } else {
-        for_each_tile(rows, columns, |_, corner, size| send(corner, size));
+        Circle::<i64>::new(center, radius, corner).send(size, sink)
+    });
+}
+
+/// A length in 2^-16 pixel: 32 bits for circles of up to 8192 pixels, 64 for those that are larger.
+trait Length: Copy + Ord + From<i32> + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self> {
+    /// One that is not too long.
+    fn new(length: i64) -> Self;
+
+    /// What is farther than 8192 pixels is moved closer.
+    fn narrow(self) -> i32;
+
+    /// Of a right triangle, of which this is the hypotenuse.
+    fn other_leg(self, leg: Self) -> Self;
+}
+
+impl Length for i32 {
+    #[inline]
+    fn new(length: i64) -> Self {
+        #[allow(clippy::cast_possible_truncation, reason = "near")]
+        let length = length as Self;
+        length
+    }
+
+    #[inline]
+    fn narrow(self) -> i32 {
+        self
+    }
+
+    #[inline]
+    fn other_leg(self, leg: Self) -> Self {
+        let (radius, leg) = (self.unsigned_abs(), leg.unsigned_abs());
+        root_of_word(u64::from(radius.saturating_sub(leg)) * u64::from(radius + leg)).cast_signed()
+    }
+}
+
+impl Length for i64 {
+    fn new(length: i64) -> Self {
+        length
+    }
+
+    fn narrow(self) -> i32 {
+        const FAR: i32 = 1 << 30;
+        i32::try_from(self).unwrap_or(if self < 0 { -FAR } else { FAR })
+    }
+
+    fn other_leg(self, leg: Self) -> Self {
+        let (radius, leg) = (self.unsigned_abs(), leg.unsigned_abs());
+        root(radius.saturating_sub(leg), radius + leg).cast_signed()
     }
 }
 
 /// How far a point of the outline is from the vertical through the centre, and how far below the horizontal through it.
 #[derive(Debug, Clone, Copy)]
-struct Point {
-    x: i64,
-    y: i64,
+struct Point<L> {
+    x: L,
+    y: L,
 }
 
 /// What a quarter has of a row, or of a part of it: from where it is nearest to the vertical through the centre to where it
 /// is farthest.
-#[derive(Debug)]
-struct Arc {
-    nearest: i64,
-    farthest: i64,
+struct Arc<L> {
+    nearest: L,
+    farthest: L,
     /// From the horizontal through the centre to where it is farthest from the vertical, and from there to where it is nearest.
-    beyond: i64,
+    beyond: L,
     height: i32,
 }
 
 /// From the corner of what is drawn.
-struct Circle {
-    x: i64,
-    y: i64,
-    radius: i64,
+struct Circle<L> {
+    x: L,
+    y: L,
+    radius: L,
     /// `1 / 12 R`, in 2^-28, and `3 / 40 R^2`, in 2^-16.
     bulge: (u32, u32),
     /// Into how many parts a row is cut, as a power of two.
     parts: u32,
 }
 
-impl Circle {
+impl<L: Length> Circle<L> {
+    fn new(center: (i32, i32), radius: u32, corner: (i32, i32)) -> Self {
+        let relative = |at: i32, corner: i32| L::new((i64::from(at) << FINER) - (i64::from(corner) << FINE_BITS));
+        let inverse = u32::MAX / radius.max(1);
+        Self {
+            x: relative(center.0, corner.0),
+            y: relative(center.1, corner.1),
+            radius: L::new(i64::from(radius) << FINER),
+            bulge: ((inverse / 3).saturating_mul(4), (inverse / radius.max(1)).saturating_mul(3) / 40),
+            parts: if radius >= WHOLE_ROWS {
+                0
+            } else if radius >= QUARTERS {
+                2
+            } else {
+                4
+            },
+        }
+    }
+
     #[inline(never)]
     fn send(&self, (width, height): (i32, i32), sink: &mut dyn AreaSink) -> bool {
-        let row_of = |y: i64| narrow(y) >> FINE_BITS;
-        let (first, end) = (row_of(self.y - self.radius).max(0), height.min(row_of(self.y + self.radius - 1) + 1));
+        let column = |x: L| x.narrow() >> FINE_BITS;
+        let (first, end) =
+            (column(self.y - self.radius).max(0), height.min(column(self.y + self.radius - L::from(1)) + 1));
+        // Both sides are the same, then.
+        let is_symmetric = self.x.narrow() & (FINE_ONE / 2 - 1) == 0;
         let mut top = self.point_below(first, 0);
         let mut areas = [0; WINDOW];
         for row in first..end {
             let bottom = self.point_below(row + 1, 0);
+            let zero = L::from(0);
             let nearest = top.x.min(bottom.x);
-            let farthest = if top.y < 0 && bottom.y > 0 { self.radius } else { top.x.max(bottom.x) };
-            let column = |x: i64| narrow(x) >> FINE_BITS;
-            let inside = narrow(bottom.y - top.y) << TO_AREA;
-            let around = Row {
-                row,
-                width,
-                left: column(self.x - farthest)..column(self.x - nearest) + 1,
-                right: column(self.x + nearest)..column(self.x + farthest) + 1,
-                inside,
-            };
-            let add = |sides: Sides, start: i32, areas: &mut [i32]| {
+            let farthest = if top.y < zero && bottom.y > zero { self.radius } else { top.x.max(bottom.x) };
+            let inside = (bottom.y - top.y).narrow() << TO_AREA;
+            let last = |x: L| column(x - L::from(1));
+            let left = column(self.x - farthest)..column(self.x - nearest) + 1;
+            let right = last(self.x + nearest)..last(self.x + farthest) + 1;
+            let around = Row { row, width, left: left.clone(), right: right.clone(), inside };
+            let is_mirrored = is_symmetric && left.start >= 0 && right.end <= width && left.len() <= WINDOW;
+            let cover = |sides: Sides, start: i32, areas: &mut [i32]| {
+                if sides == Sides::Right && is_mirrored {
+                    // What is left there of the left side.
+                    areas.reverse();
+                    return;
+                }
                 areas.fill(if sides == Sides::Both { -inside } else { 0 });
-                let left = self.x - (i64::from(start) << FINE_BITS);
-                let right = (i64::try_from(areas.len()).unwrap_or(0) << FINE_BITS) - left;
-                let mut above = top;
-                for part in 1..=1 << self.parts {
-                    let below = if part == 1 << self.parts { bottom } else { self.point_below(row, part) };
-                    self.each_arc(above, below, |arc| {
-                        if sides != Sides::Right {
-                            self.add(arc, left, areas.iter_mut());
-                        }
-                        if sides != Sides::Left {
-                            self.add(arc, right, areas.iter_mut().rev());
-                        }
-                    });
-                    above = below;
+                let left = self.x - L::new(i64::from(start) << FINE_BITS);
+                let right = L::new(i64::try_from(areas.len()).unwrap_or(0) << FINE_BITS) - left;
+                if sides != Sides::Right {
+                    self.add_parts(row, (top, bottom), left, areas);
+                }
+                if sides != Sides::Left {
+                    areas.reverse();
+                    self.add_parts(row, (top, bottom), right, areas);
+                    areas.reverse();
                 }
             };
-            if !around.send(&mut areas, add, sink) {
+            if !around.send(&mut areas, cover, sink) {
                 return false;
             }
             top = bottom;
@@ -152,64 +207,61 @@ impl Circle {
 
     /// The point so many parts of a row below its top, or the pole that is nearer.
     #[inline]
-    fn point_below(&self, row: i32, parts: i32) -> Point {
-        let y = (i64::from(row) << FINE_BITS) + i64::from(parts << (FINE_BITS - self.parts)) - self.y;
+    fn point_below(&self, row: i32, parts: i32) -> Point<L> {
+        let y = L::new(i64::from(row) << FINE_BITS) + L::from(parts << (FINE_BITS - self.parts)) - self.y;
         let y = y.max(-self.radius).min(self.radius);
-        Point { x: self.other_leg(y.abs()), y }
+        Point { x: self.radius.other_leg(y), y }
     }
 
-    /// The arcs between two heights.
-    #[inline]
-    fn each_arc(&self, above: Point, below: Point, mut found: impl FnMut(&Arc)) {
-        let mut arc = |nearest: Point, farthest: Point| {
-            let (end, beyond) = (nearest.y.abs(), farthest.y.abs());
-            found(&Arc { nearest: nearest.x, farthest: farthest.x, beyond, height: narrow(end - beyond) });
+    /// Adds what a row's arcs on the left leave of pixels to their right, the first of which begins at `center` to the left of
+    /// the centre.
+    #[inline(never)]
+    fn add_parts(&self, row: i32, (mut above, bottom): (Point<L>, Point<L>), center: L, areas: &mut [i32]) {
+        let mut arc = |nearest: Point<L>, farthest: Point<L>| {
+            let (end, beyond) = (nearest.y.max(-nearest.y), farthest.y.max(-farthest.y));
+            let height = (end - beyond).narrow();
+            self.add(&Arc { nearest: nearest.x, farthest: farthest.x, beyond, height }, center, areas);
         };
-        if above.y >= 0 {
-            arc(below, above);
-        } else if below.y <= 0 {
-            arc(above, below);
-        } else {
-            let middle = Point { x: self.radius, y: 0 };
-            arc(above, middle);
-            arc(below, middle);
+        let (zero, parts) = (L::from(0), 1 << self.parts);
+        for part in 1..=parts {
+            let below = if part == parts { bottom } else { self.point_below(row, part) };
+            if above.y >= zero {
+                arc(below, above);
+            } else if below.y <= zero {
+                arc(above, below);
+            } else {
+                let middle = Point { x: self.radius, y: zero };
+                arc(above, middle);
+                arc(below, middle);
+            }
+            above = below;
         }
     }
 
-    /// Of a right triangle, of which the radius is the hypotenuse.
-    #[inline]
-    fn other_leg(&self, leg: i64) -> i64 {
-        root((self.radius - leg).max(0).unsigned_abs(), (self.radius + leg).unsigned_abs()).cast_signed()
-    }
-
-    /// Adds what an arc on the left leaves of pixels to its right, the first of which begins at `center` to the left of the
-    /// centre.
     #[inline(never)]
-    fn add<'a>(&self, arc: &Arc, center: i64, areas: impl Iterator<Item = &'a mut i32>) {
-        let (left, right) = (narrow(center - arc.farthest), narrow(center - arc.nearest));
+    fn add(&self, arc: &Arc<L>, center: L, areas: &mut [i32]) {
+        let (left, right) = ((center - arc.farthest).narrow(), (center - arc.nearest).narrow());
         let height_at = |x: i32| {
-            let height = self.other_leg(center - i64::from(x)) - arc.beyond;
-            narrow(height).max(0).min(arc.height)
+            let height = self.radius.other_leg(center - L::from(x)) - arc.beyond;
+            height.narrow().max(0).min(arc.height)
         };
-        let (mut x, mut border, mut below) = (left, 0, 0);
+        let (mut x, mut below) = (left, 0);
         if left < 0 && right >= 0 {
             (x, below) = (0, height_at(0));
         }
-        for area in areas {
-            let from = border;
+        let mut border = x.max(0) & -FINE_ONE;
+        let mut areas = areas.iter_mut().skip((border >> FINE_BITS).unsigned_abs() as usize);
+        while border <= right {
+            let Some(area) = areas.next() else { return };
             border += FINE_ONE;
-            if left >= border {
-                continue;
-            }
-            if right < from {
-                *area += arc.height << TO_AREA;
-                continue;
-            }
             let (to, above) = if right < border { (right, arc.height) } else { (border, height_at(border).max(below)) };
             let (dx, dy) = ((to - x).unsigned_abs(), (above - below).unsigned_abs());
             let beside = (2 * border - to - x).unsigned_abs() / 2;
             *area += (below << TO_AREA) + ((beside.min(0xFFFF) * dy) >> (32 - 24)).cast_signed() + self.segment(dx, dy);
             (x, below) = (to, above);
+        }
+        for area in areas {
+            *area += arc.height << TO_AREA;
         }
     }
 
@@ -229,11 +281,4 @@ impl Circle {
         let more = ((square >> 14) * self.bulge.1) >> 18;
         (area + ((area * more) >> 12)).cast_signed()
     }
-}
-
-/// What is farther than 8192 pixels is moved closer.
-#[inline]
-fn narrow(at: i64) -> i32 {
-    const FAR: i32 = 1 << 30;
-    i32::try_from(at).unwrap_or(if at < 0 { -FAR } else { FAR })
 }

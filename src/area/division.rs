@@ -1,5 +1,7 @@
 //! The two divisions that an edge takes, in words of 32 bits where the processor has no wider ones.
 
+use core::hint::black_box;
+
 /// Whether a division of 64 bits is an instruction.
 const HAS_WIDE_DIVISION: bool = cfg!(target_pointer_width = "64");
 
@@ -46,6 +48,8 @@ fn divide(high: u32, low: u32, divisor: u32) -> u32 {
         let mut digit = rest.checked_div(upper).unwrap_or(0);
         let mut left = rest.wrapping_sub(digit.wrapping_mul(upper));
         while digit > 0xFFFF || digit.wrapping_mul(lower) > (left << 16 | next) {
+            // Not unrolled: mostly there is nothing to make up for.
+            black_box(());
             digit -= 1;
             left += upper;
             if left > 0xFFFF {
