@@ -17,7 +17,7 @@
 //! Both sides are the same but for where the columns' borders are. Everything is worked out from a row and a column alone, so
 //! no clip changes a bit. Lengths are in 2^-16 pixel.
 
-use core::ops::{Add, Neg, Range, Sub};
+use core::ops::Range;
 
 use crate::{
     area::{
@@ -52,152 +52,102 @@ pub(crate) fn send_circle(
     sink: &mut dyn PlacedAreaSink,
 ) {
     let radius = radius.unsigned_abs();
-    if u64::from(radius) << FINER <= REACH {
-        let size = (columns.end - columns.start, rows.end - rows.start);
-        sink.place((columns.start, rows.start));
-        Circle::<i32>::new(center, radius, (columns.start, rows.start)).send(size, sink);
-        return;
-    }
-    for_each_tile(rows, columns, |_, corner, size| {
+    let mut send = |corner: (i32, i32), size: (i32, i32)| {
         sink.place(corner);
-        Circle::<i64>::new(center, radius, corner).send(size, sink)
-    });
-}
-
-/// A length in 2^-16 pixel: 32 bits for circles of up to 8192 pixels, 64 for those that are larger.
-trait Length: Copy + Ord + From<i32> + Add<Output = Self> + Sub<Output = Self> + Neg<Output = Self> {
-    /// One that is not too long.
-    fn new(length: i64) -> Self;
-
-    /// What is farther than 8192 pixels is moved closer.
-    fn narrow(self) -> i32;
-
-    /// Of a right triangle, of which this is the hypotenuse.
-    fn other_leg(self, leg: Self) -> Self;
-}
-
-impl Length for i32 {
-    #[inline]
-    fn new(length: i64) -> Self {
-        #[allow(clippy::cast_possible_truncation, reason = "near")]
-        let length = length as Self;
-        length
-    }
-
-    #[inline]
-    fn narrow(self) -> i32 {
-        self
-    }
-
-    #[inline]
-    fn other_leg(self, leg: Self) -> Self {
-        let (radius, leg) = (self.unsigned_abs(), leg.unsigned_abs());
-        root_of_word(u64::from(radius.saturating_sub(leg)) * u64::from(radius + leg)).cast_signed()
+        Circle::new(center, radius, corner).send(size, sink)
+    };
+    if u64::from(radius) << FINER <= REACH {
+        send((columns.start, rows.start), (columns.end - columns.start, rows.end - rows.start));
+    } else {
+        for_each_tile(rows, columns, |_, corner, size| send(corner, size));
     }
 }
 
-impl Length for i64 {
-    fn new(length: i64) -> Self {
-        length
-    }
-
-    fn narrow(self) -> i32 {
-        const FAR: i32 = 1 << 30;
-        i32::try_from(self).unwrap_or(if self < 0 { -FAR } else { FAR })
-    }
-
-    fn other_leg(self, leg: Self) -> Self {
-        let (radius, leg) = (self.unsigned_abs(), leg.unsigned_abs());
-        root(radius.saturating_sub(leg), radius + leg).cast_signed()
-    }
-}
-
-/// How far a point of the outline is from the vertical through the centre, and how far below the horizontal through it.
+/// A height, and where the outline is at it.
 #[derive(Debug, Clone, Copy)]
-struct Point<L> {
-    x: L,
-    y: L,
+struct Section {
+    y: i32,
+    left: i32,
+    right: i32,
 }
 
-/// What a quarter has of a row, or of a part of it: from where it is nearest to the vertical through the centre to where it
-/// is farthest.
-struct Arc<L> {
-    nearest: L,
-    farthest: L,
-    /// From the horizontal through the centre to where it is farthest from the vertical, and from there to where it is nearest.
-    beyond: L,
-    height: i32,
+/// What a row has of a circle: between two sections, with the widest of all.
+struct Part {
+    top: Section,
+    bottom: Section,
+    middle: Section,
+    row: i32,
 }
 
 /// From the corner of what is drawn.
-struct Circle<L> {
-    x: L,
-    y: L,
-    radius: L,
+struct Circle {
+    x: i64,
+    y: i64,
+    radius: i64,
+    poles: (i32, i32),
+    /// Whether 32 bits are enough for all of them.
+    is_near: bool,
     /// `1 / 12 R`, in 2^-28, and `3 / 40 R^2`, in 2^-16.
     bulge: (u32, u32),
     /// Into how many parts a row is cut, as a power of two.
     parts: u32,
 }
 
-impl<L: Length> Circle<L> {
+impl Circle {
     fn new(center: (i32, i32), radius: u32, corner: (i32, i32)) -> Self {
-        let relative = |at: i32, corner: i32| L::new((i64::from(at) << FINER) - (i64::from(corner) << FINE_BITS));
+        let relative = |at: i32, corner: i32| (i64::from(at) << FINER) - (i64::from(corner) << FINE_BITS);
         let inverse = u32::MAX / radius.max(1);
-        Self {
-            x: relative(center.0, corner.0),
-            y: relative(center.1, corner.1),
-            radius: L::new(i64::from(radius) << FINER),
-            bulge: ((inverse / 3).saturating_mul(4), (inverse / radius.max(1)).saturating_mul(3) / 40),
-            parts: if radius >= WHOLE_ROWS {
-                0
-            } else if radius >= QUARTERS {
-                2
-            } else {
-                4
-            },
-        }
+        let bulge = ((inverse / 3).saturating_mul(4), (inverse / radius.max(1)).saturating_mul(3) / 40);
+        let parts = if radius >= WHOLE_ROWS {
+            0
+        } else if radius >= QUARTERS {
+            2
+        } else {
+            4
+        };
+        let (x, y) = (relative(center.0, corner.0), relative(center.1, corner.1));
+        let radius = i64::from(radius) << FINER;
+        let is_near = radius.unsigned_abs() <= REACH;
+        Self { x, y, radius, poles: (narrow(y - radius), narrow(y + radius)), is_near, bulge, parts }
     }
 
     #[inline(never)]
     fn send(&self, (width, height): (i32, i32), sink: &mut dyn AreaSink) -> bool {
-        let column = |x: L| x.narrow() >> FINE_BITS;
-        let (first, end) =
-            (column(self.y - self.radius).max(0), height.min(column(self.y + self.radius - L::from(1)) + 1));
+        let poles = self.poles;
+        let (first, end) = ((poles.0 >> FINE_BITS).max(0), height.min(((poles.1 - 1) >> FINE_BITS) + 1));
+        let middle =
+            Section { y: narrow(self.y), left: narrow(self.x - self.radius), right: narrow(self.x + self.radius) };
         // Both sides are the same, then.
-        let is_symmetric = self.x.narrow() & (FINE_ONE / 2 - 1) == 0;
-        let mut top = self.point_below(first, 0);
+        let is_symmetric = self.x & i64::from(FINE_ONE / 2 - 1) == 0;
+        let mut top = self.section(first << FINE_BITS);
         let mut areas = [0; WINDOW];
         for row in first..end {
-            let bottom = self.point_below(row + 1, 0);
-            let zero = L::from(0);
-            let nearest = top.x.min(bottom.x);
-            let farthest = if top.y < zero && bottom.y > zero { self.radius } else { top.x.max(bottom.x) };
-            let inside = (bottom.y - top.y).narrow() << TO_AREA;
-            let last = |x: L| column(x - L::from(1));
-            let left = column(self.x - farthest)..column(self.x - nearest) + 1;
-            let right = last(self.x + nearest)..last(self.x + farthest) + 1;
-            let around = Row { row, width, left: left.clone(), right: right.clone(), inside };
-            let is_mirrored = is_symmetric && left.start >= 0 && right.end <= width && left.len() <= WINDOW;
-            let cover = |sides: Sides, start: i32, areas: &mut [i32]| {
-                if sides == Sides::Right && is_mirrored {
-                    // What is left there of the left side.
-                    areas.reverse();
-                    return;
+            let bottom = self.section((row + 1) << FINE_BITS);
+            let widest = if top.y < middle.y && bottom.y > middle.y { middle } else { top };
+            let inside = (bottom.y - top.y) << TO_AREA;
+            let columns = |from: i32, to: i32| from >> FINE_BITS..(to >> FINE_BITS) + 1;
+            let left = columns(widest.left.min(bottom.left), top.left.max(bottom.left));
+            let right = columns(top.right.min(bottom.right) - 1, widest.right.max(bottom.right) - 1);
+            let part = Part { top, bottom, middle, row };
+            let is_apart = left.end < right.start && left.start >= 0 && right.end <= width;
+            let goes_on = if is_symmetric
+                && is_apart
+                && let Some(side) = areas.get_mut(..left.len())
+            {
+                side.fill(0);
+                self.add_part(&part, Sides::Left, left.start, side);
+                sink.run(row, left.start, side) && sink.span(row, left.end..right.start, inside) && {
+                    side.reverse();
+                    sink.run(row, right.start, side)
                 }
-                areas.fill(if sides == Sides::Both { -inside } else { 0 });
-                let left = self.x - L::new(i64::from(start) << FINE_BITS);
-                let right = L::new(i64::try_from(areas.len()).unwrap_or(0) << FINE_BITS) - left;
-                if sides != Sides::Right {
-                    self.add_parts(row, (top, bottom), left, areas);
-                }
-                if sides != Sides::Left {
-                    areas.reverse();
-                    self.add_parts(row, (top, bottom), right, areas);
-                    areas.reverse();
-                }
+            } else {
+                let cover = |sides: Sides, start: i32, areas: &mut [i32]| {
+                    areas.fill(if sides == Sides::Both { -inside } else { 0 });
+                    self.add_part(&part, sides, start, areas);
+                };
+                Row { row, width, left, right, inside }.send(&mut areas, cover, sink)
             };
-            if !around.send(&mut areas, cover, sink) {
+            if !goes_on {
                 return false;
             }
             top = bottom;
@@ -205,46 +155,91 @@ impl<L: Length> Circle<L> {
         true
     }
 
-    /// The point so many parts of a row below its top, or the pole that is nearer.
-    #[inline]
-    fn point_below(&self, row: i32, parts: i32) -> Point<L> {
-        let y = L::new(i64::from(row) << FINE_BITS) + L::from(parts << (FINE_BITS - self.parts)) - self.y;
-        let y = y.max(-self.radius).min(self.radius);
-        Point { x: self.radius.other_leg(y), y }
-    }
-
-    /// Adds what a row's arcs on the left leave of pixels to their right, the first of which begins at `center` to the left of
-    /// the centre.
+    /// Adds what a row has of some sides to pixels from `start` on.
     #[inline(never)]
-    fn add_parts(&self, row: i32, (mut above, bottom): (Point<L>, Point<L>), center: L, areas: &mut [i32]) {
-        let mut arc = |nearest: Point<L>, farthest: Point<L>| {
-            let (end, beyond) = (nearest.y.max(-nearest.y), farthest.y.max(-farthest.y));
-            let height = (end - beyond).narrow();
-            self.add(&Arc { nearest: nearest.x, farthest: farthest.x, beyond, height }, center, areas);
-        };
-        let (zero, parts) = (L::from(0), 1 << self.parts);
-        for part in 1..=parts {
-            let below = if part == parts { bottom } else { self.point_below(row, part) };
-            if above.y >= zero {
-                arc(below, above);
-            } else if below.y <= zero {
-                arc(above, below);
+    fn add_part(&self, part: &Part, sides: Sides, start: i32, areas: &mut [i32]) {
+        let Part { top: mut above, bottom, middle, row } = *part;
+        let start = start << FINE_BITS;
+        for part in 1..=1 << self.parts {
+            let below = if part == 1 << self.parts {
+                bottom
             } else {
-                let middle = Point { x: self.radius, y: zero };
-                arc(above, middle);
-                arc(below, middle);
-            }
+                self.section((row << FINE_BITS) + (part << (FINE_BITS - self.parts)))
+            };
+            let (pole, inner) = if above.y >= middle.y {
+                (below, above)
+            } else if below.y <= middle.y {
+                (above, below)
+            } else {
+                self.add(above, middle, sides, start, areas);
+                (below, middle)
+            };
+            self.add(pole, inner, sides, start, areas);
             above = below;
         }
     }
 
+    /// The section at a height, or the pole that is nearer.
     #[inline(never)]
-    fn add(&self, arc: &Arc<L>, center: L, areas: &mut [i32]) {
-        let (left, right) = ((center - arc.farthest).narrow(), (center - arc.nearest).narrow());
-        let height_at = |x: i32| {
-            let height = self.radius.other_leg(center - L::from(x)) - arc.beyond;
-            height.narrow().max(0).min(arc.height)
-        };
+    fn section(&self, y: i32) -> Section {
+        let y = y.max(self.poles.0).min(self.poles.1);
+        if self.is_near {
+            let (x, across) = (low(self.x), self.near_leg(y - low(self.y)));
+            return Section { y, left: x - across, right: x + across };
+        }
+        let across = self.far_leg(i64::from(y) - self.y);
+        Section { y, left: narrow(self.x - across), right: narrow(self.x + across) }
+    }
+
+    /// How much farther than some height the outline is from the horizontal through the centre in a column.
+    #[inline]
+    fn rise(&self, x: i32, y: i32) -> i32 {
+        if self.is_near {
+            return self.near_leg(x - low(self.x)) - (y - low(self.y)).abs();
+        }
+        narrow(self.far_leg(i64::from(x) - self.x) - (i64::from(y) - self.y).abs())
+    }
+
+    /// Of a right triangle, of which the radius is the hypotenuse.
+    #[inline]
+    fn near_leg(&self, leg: i32) -> i32 {
+        let (radius, leg) = (low(self.radius).unsigned_abs(), leg.unsigned_abs());
+        root_of_word(u64::from(radius.saturating_sub(leg)) * u64::from(radius + leg)).cast_signed()
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn far_leg(&self, leg: i64) -> i64 {
+        let (radius, leg) = (self.radius.unsigned_abs(), leg.unsigned_abs());
+        root(radius.saturating_sub(leg), radius + leg).cast_signed()
+    }
+
+    /// Adds what is between the arcs on some sides from one section to the one that is nearer to the centre, to pixels from
+    /// `start` on: of the left side's pixels what it leaves to its right, of the right one's what it leaves to its left.
+    fn add(&self, pole: Section, middle: Section, sides: Sides, start: i32, areas: &mut [i32]) {
+        let heights = (pole.y, middle.y);
+        if sides != Sides::Right {
+            self.add_arc((middle.left - start, pole.left - start), heights, (start, 1), areas);
+        }
+        if sides != Sides::Left {
+            let end = start + (i32::try_from(areas.len()).unwrap_or(0) << FINE_BITS);
+            areas.reverse();
+            self.add_arc((end - middle.right, end - pole.right), heights, (end, -1), areas);
+            areas.reverse();
+        }
+    }
+
+    /// Adds one of them: from its left end to its right one, in columns from one on, or backwards.
+    #[inline(never)]
+    fn add_arc(
+        &self,
+        (left, right): (i32, i32),
+        (pole, middle): (i32, i32),
+        (start, direction): (i32, i32),
+        areas: &mut [i32],
+    ) {
+        let height = pole.abs_diff(middle).cast_signed();
+        let height_at = |x: i32| self.rise(start + direction * x, middle).max(0).min(height);
         let (mut x, mut below) = (left, 0);
         if left < 0 && right >= 0 {
             (x, below) = (0, height_at(0));
@@ -254,14 +249,14 @@ impl<L: Length> Circle<L> {
         while border <= right {
             let Some(area) = areas.next() else { return };
             border += FINE_ONE;
-            let (to, above) = if right < border { (right, arc.height) } else { (border, height_at(border).max(below)) };
+            let (to, above) = if right < border { (right, height) } else { (border, height_at(border).max(below)) };
             let (dx, dy) = ((to - x).unsigned_abs(), (above - below).unsigned_abs());
             let beside = (2 * border - to - x).unsigned_abs() / 2;
             *area += (below << TO_AREA) + ((beside.min(0xFFFF) * dy) >> (32 - 24)).cast_signed() + self.segment(dx, dy);
             (x, below) = (to, above);
         }
         for area in areas {
-            *area += arc.height << TO_AREA;
+            *area += height << TO_AREA;
         }
     }
 
@@ -281,4 +276,19 @@ impl<L: Length> Circle<L> {
         let more = ((square >> 14) * self.bulge.1) >> 18;
         (area + ((area * more) >> 12)).cast_signed()
     }
+}
+
+/// The lower half of what is near.
+#[inline]
+fn low(at: i64) -> i32 {
+    #[allow(clippy::cast_possible_truncation, reason = "it is near")]
+    let low = at as i32;
+    low
+}
+
+/// What is farther than 16384 pixels is moved closer.
+#[inline]
+fn narrow(at: i64) -> i32 {
+    const FAR: i64 = 1 << 30;
+    low(at.max(-FAR).min(FAR))
 }

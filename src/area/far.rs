@@ -101,6 +101,7 @@ impl Long {
     }
 
     /// Where it is cut.
+    #[inline(never)]
     fn at(&self, is_far: bool) -> (i64, i64) {
         let [start, end] = self.ends;
         let along = if is_far { self.borders[1] } else { self.borders[0] };
@@ -111,6 +112,7 @@ impl Long {
 }
 
 /// Relative to `corner`, which lies in the tile; what lies beyond is moved closer.
+#[inline(never)]
 fn relative((x, y): (i64, i64), tile: (i32, i32), corner: (i32, i32)) -> Point {
     let near = |at: i64, tile: i32, corner: i32| {
         let from_tile = (at - (i64::from(tile) << FINE_BITS)).clamp(-BEYOND, BEYOND);
