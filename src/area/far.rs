@@ -134,7 +134,8 @@ pub(super) fn each_part(
     let mut from = relative(a);
     if let Some(long) = Long::new(a, b, tile) {
         for is_far in [long.is_reversed, !long.is_reversed] {
-            if long.cuts[usize::from(is_far)] {
+            let [near, far] = long.cuts;
+            if (is_far && far) || (!is_far && near) {
                 let to = relative(long.at(is_far));
                 part(from, to);
                 from = to;

@@ -1,4 +1,4 @@
-//! Square roots of integers.
+//! Square roots of integers, to 2^-30 of them: of words by two steps of Newton's and a tangent.
 
 /// The square root of a product, to 2^-30 of it.
 #[inline]
