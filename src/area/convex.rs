@@ -8,150 +8,201 @@
 //!         \   .'
 //! ```
 
-use core::ops::Range;
+use core::{hint::black_box, mem::swap, ops::Range};
+
+use heapless::Vec;
 
 use crate::{
+    PixelRect,
     area::{
-        AreaSink, PlacedAreaSink,
-        accumulator::{Accumulator, WINDOW_COLUMNS},
-        chain::CoverageEdge,
-        emission::Emission,
-        far::{Far, Vertices},
-        lines::Row,
-        pair::{NO_AREAS, send_pair},
-        source::{FINE_BITS, Outline, Point, Source},
-        tiles::{REACH, for_each_tile},
+        AreaSink, PlacedAreaSink, WINDOW,
+        accumulator::FULL,
+        edge::{Edge, Piece},
+        far::each_part,
+        row::{GAP, Row, Sides},
+        source::{FINE_BITS, FINE_ONE, Point},
+        tiles::{for_each_tile, is_near},
     },
-    contours::next_index,
 };
 
-/// Sends the areas of a convex outline in some rows and columns.
+/// Four edges, each of which a tile may cut in two that it sees something of.
+type Edges = Vec<Edge, 8>;
+
+/// Of either side of a row.
+type Areas = [i32; 2 * WINDOW];
+
+/// What a row has of them.
+type Pieces = Vec<Piece, 8>;
+
+/// Sends the areas of a convex outline, which touches some pixels, in some rows and columns.
 ///
-/// Its `N` vertices are in 2^-16 pixel and clockwise as seen on the screen, the first of them a topmost one.
-pub(crate) fn send_convex<const N: usize>(
-    vertices: &[(i64, i64); N],
+/// Its vertices, four at the most, are in 2^-16 pixel and clockwise as seen on the screen.
+pub(crate) fn send_convex(
+    vertices: &[(i64, i64)],
+    touched: &PixelRect,
     rows: &Range<i32>,
     columns: &Range<i32>,
     sink: &mut dyn PlacedAreaSink,
 ) {
-    let corner = (columns.start, rows.start);
-    let size = (columns.end - columns.start, rows.end - rows.start);
-    let mut points = [Point { x: 0, y: 0 }; N];
-    let mut is_near = true;
-    for (point, vertex) in points.iter_mut().zip(vertices) {
+    if !is_near(touched) {
+        return send_far(vertices, rows, columns, sink);
+    }
+    let (x, y) = (columns.start, rows.start);
+    let size = (columns.end - x, rows.end - y);
+    let relative = |vertex: &(i64, i64)| {
         let relative = |at: i64, corner: i32| at.wrapping_sub(i64::from(corner) << FINE_BITS);
-        let (x, y) = (relative(vertex.0, corner.0), relative(vertex.1, corner.1));
-        is_near &= x.unsigned_abs() <= REACH && y.unsigned_abs() <= REACH;
-        #[allow(clippy::cast_possible_truncation, reason = "where it matters, at most 2^29")]
-        let near = Point { x: x as i32, y: y as i32 };
-        *point = near;
+        #[allow(clippy::cast_possible_truncation, reason = "at most 2^29")]
+        let point = Point { x: relative(vertex.0, x) as i32, y: relative(vertex.1, y) as i32 };
+        point
+    };
+    let mut edges = Edges::new();
+    let mut from = vertices.last().map_or(Point { x: 0, y: 0 }, relative);
+    for to in vertices.iter().map(relative) {
+        push(&mut edges, from, to, size);
+        from = to;
     }
-    if is_near {
-        sink.place(corner);
-        fill_convex(Source::Outline(&Ring(points)), size, sink);
-        return;
-    }
+    sink.place((x, y));
+    send_edges(&edges, size, sink);
+}
+
+/// The same, tile by tile.
+#[cold]
+#[inline(never)]
+fn send_far(vertices: &[(i64, i64)], rows: &Range<i32>, columns: &Range<i32>, sink: &mut dyn PlacedAreaSink) {
+    let Some(&last) = vertices.last() else { return };
     for_each_tile(rows, columns, |tile, corner, size| {
+        let (mut edges, mut from) = (Edges::new(), last);
+        for &to in vertices {
+            each_part([from, to], tile, corner, |from, to| push(&mut edges, from, to, size));
+            from = to;
+        }
         sink.place(corner);
-        let far = Far { vertices: Vertices::Ring(vertices), tile, corner };
-        fill_convex(Source::Outline(&far), size, sink)
+        send_edges(&edges, size, sink)
     });
 }
 
-/// A contour that is near.
-struct Ring<const N: usize>([Point; N]);
-
-impl<const N: usize> Outline for Ring<N> {
-    fn contours(&self) -> u32 {
-        1
-    }
-
-    fn first(&self, _: u32) -> Option<u32> {
-        Some(0)
-    }
-
-    fn next(&self, _: u32, index: u32, is_forward: bool) -> u32 {
-        next_index(&self.0, index, is_forward)
-    }
-
-    fn vertex(&self, _: u32, index: u32) -> Point {
-        self.0.get(index as usize).copied().unwrap_or(Point { x: 0, y: 0 })
+/// Keeps an edge, unless nothing is seen of it.
+#[inline(never)]
+fn push(edges: &mut Edges, from: Point, to: Point, (width, height): (i32, i32)) {
+    let is_right = from.x.min(to.x) >> FINE_BITS >= width;
+    let is_outside = from.y.max(to.y) <= 0 || from.y.min(to.y) >> FINE_BITS >= height;
+    if !is_right
+        && !is_outside
+        && let Some(edge) = Edge::new(from, to)
+    {
+        // There are never more.
+        let _ = edges.push(edge);
     }
 }
 
-/// Sends the areas of an outline of one convex contour; see [`send_convex`].
 #[inline(never)]
-fn fill_convex(outline: Source<'_>, (width, height): (i32, i32), sink: &mut dyn AreaSink) -> bool {
-    let mut row = (outline.vertex(0, 0).y >> FINE_BITS).max(0);
-    let (mut left, mut right) = (CoverageEdge::EMPTY, CoverageEdge::EMPTY);
-    let (mut rows, mut areas) = (ConvexRows::new(width), NO_AREAS);
-    if !right.begin(&outline, (0, 0), 1, row << FINE_BITS) || !left.begin(&outline, (0, 0), -1, row << FINE_BITS) {
-        return true;
+fn send_edges(edges: &[Edge], (width, height): (i32, i32), sink: &mut dyn AreaSink) -> bool {
+    let (mut top, mut bottom) = (i32::MAX, 0);
+    for edge in edges {
+        (top, bottom) = (top.min(edge.top), bottom.max(edge.bottom));
     }
-    while row < height {
-        let row_top = row << FINE_BITS;
-        let extent = |side: &mut CoverageEdge| {
-            let low = side.advance(&outline, row_top);
-            low >> FINE_BITS..side.high >> FINE_BITS
-        };
-        let extents = (extent(&mut left), extent(&mut right));
-        let pair = ((&mut left, extents.0.start), (&mut right, extents.1.start));
-        let goes_on = send_pair(row, width, pair.0, pair.1, &mut areas, sink).unwrap_or_else(|| {
-            let add = |accumulator: &mut Accumulator| {
-                let row = Row { source: outline, top: row_top, kept: &[] };
-                left.add(&row, 1, accumulator);
-                right.add(&row, -1, accumulator);
-            };
-            rows.send(row, extents, add, sink)
-        });
-        if !goes_on {
+    let (mut row, end) = (top.max(0) >> FINE_BITS, height.min((bottom + FINE_ONE - 1) >> FINE_BITS));
+    let mut areas = [0; 2 * WINDOW];
+    while row < end {
+        let (mut pieces, mut until) = (Pieces::new(), end);
+        for edge in edges {
+            if let Some(piece) = edge.piece(row << FINE_BITS) {
+                until = until.min(if piece.is_whole() { edge.bottom >> FINE_BITS } else { row });
+                // There are never more.
+                let _ = pieces.push(piece);
+            }
+        }
+        // Of two that cross it from top to bottom, one is on either side.
+        if let [left, right] = &mut *pieces
+            && until > row
+            && right.is_left()
+        {
+            swap(left, right);
+        }
+        if let [left, right] = &mut *pieces
+            && until > row
+        {
+            while row < until {
+                let sent = send_pair(row, width, left, right, &mut areas, sink);
+                if !sent.unwrap_or_else(|| send_row(row, width, &[*left, *right], &mut areas, sink)) {
+                    return false;
+                }
+                left.step();
+                right.step();
+                row += 1;
+            }
+            continue;
+        }
+        if !send_row(row, width, &pieces, &mut areas, sink) {
             return false;
         }
-        if left.ends || right.ends {
-            break;
-        }
-        left.leave_row();
-        right.leave_row();
         row += 1;
     }
     true
 }
 
-/// Sends rows that lie between a left side and a right one.
-pub(super) struct ConvexRows {
-    accumulator: Accumulator,
+/// Sends what is between two edges that cross the row from top to bottom; `None` where the clip cuts it.
+///
+/// It is what `send_row` would send, as it is worked out, and for most rows of most shapes.
+#[inline]
+fn send_pair(
+    row: i32,
     width: i32,
+    left: &Piece,
+    right: &Piece,
+    areas: &mut Areas,
+    sink: &mut dyn AreaSink,
+) -> Option<bool> {
+    let ((start, inside), (outside, end)) = (left.columns(), right.columns());
+    if start < 0 || end >= width || outside < start || end < inside {
+        return None;
+    }
+    let (areas, of_right) = areas.split_at_mut(WINDOW);
+    let of_left = left.areas::<false>(areas)?;
+    let count = right.areas::<true>(of_right)?;
+    let of_right = of_right.get(..count)?;
+    let before = (outside - start).unsigned_abs() as usize;
+    if before > of_left + GAP {
+        return Some(
+            sink.run(row, start, areas.get(..of_left)?)
+                && sink.span(row, inside + 1..outside, FULL)
+                && sink.run(row, outside, of_right),
+        );
+    }
+    let areas = areas.get_mut(..before + of_right.len())?;
+    for area in areas.get_mut(of_left..)? {
+        black_box(());
+        *area = FULL;
+    }
+    for (area, of_right) in areas.get_mut(before..)?.iter_mut().zip(of_right) {
+        black_box(());
+        *area -= FULL - of_right;
+    }
+    Some(sink.run(row, start, areas))
 }
 
-impl ConvexRows {
-    pub(super) const fn new(width: i32) -> Self {
-        Self { accumulator: Accumulator::new(), width }
+#[inline(never)]
+fn send_row(row: i32, width: i32, pieces: &[Piece], areas: &mut Areas, sink: &mut dyn AreaSink) -> bool {
+    let (mut left, mut right) = (width..i32::MIN, width..i32::MIN);
+    let (mut inside, mut unseen) = (0, 0);
+    for piece in pieces {
+        let (first, last) = piece.columns();
+        let side = if piece.is_left() { &mut left } else { &mut right };
+        (side.start, side.end) = (side.start.min(first), side.end.max(last + 1));
+        inside += piece.beyond().max(0);
+        unseen += piece.beyond();
     }
-
-    /// Sends a row; `extents` are the first and the last column of either side, which `add` adds.
-    #[inline]
-    pub(super) fn send(
-        &mut self,
-        row: i32,
-        (left, right): (Range<i32>, Range<i32>),
-        mut add: impl FnMut(&mut Accumulator),
-        sink: &mut dyn AreaSink,
-    ) -> bool {
-        let mut start = left.start.max(0);
-        let end = self.width.min(right.end.saturating_add(2));
-        while start < end {
-            self.accumulator.begin(start, 0);
-            add(&mut self.accumulator);
-            let reach = start + WINDOW_COLUMNS;
-            // Behind the column after the left side, there is nothing to add up before the right one.
-            let is_gap = left.end + 1 < reach && right.start >= reach;
-            let until = if is_gap { end.min(right.start) } else { end.min(reach) };
-            let emission = Emission { row, start, until, is_complete: is_gap, gap: None };
-            if !self.accumulator.emit(emission, sink) {
-                return false;
+    // Edges to the right of all columns have been left out.
+    if unseen > 0 {
+        right.end = width;
+    }
+    let cover = |sides, start: i32, areas: &mut [i32]| {
+        areas.fill(if sides == Sides::Right { inside } else { 0 });
+        for piece in pieces {
+            if sides == Sides::Both || (sides == Sides::Left) == piece.is_left() {
+                piece.add(start, areas);
             }
-            start = until;
         }
-        true
-    }
+    };
+    Row { row, width, left, right, inside }.send(areas, cover, sink)
 }

@@ -1,11 +1,13 @@
 //! Divisions, in words of 32 bits where the processor has no wider ones: no division of 64 bits is linked then.
 
+use core::hint::black_box;
+
 /// Whether a division of 64 bits is an instruction.
 const HAS_WIDE_DIVISION: bool = cfg!(target_pointer_width = "64");
 
 /// `(numerator << 32) / divisor`, rounded down; 0 by 0.
 #[inline]
-pub(super) fn ratio(numerator: u32, divisor: u32) -> u64 {
+pub(crate) fn ratio(numerator: u32, divisor: u32) -> u64 {
     ratio_in::<HAS_WIDE_DIVISION>(numerator, divisor)
 }
 
@@ -95,6 +97,8 @@ fn divide(high: u32, low: u32, divisor: u32) -> u32 {
         let mut digit = rest.checked_div(upper).unwrap_or(0);
         let mut left = rest.wrapping_sub(digit.wrapping_mul(upper));
         while digit > 0xFFFF || digit.wrapping_mul(lower) > (left << 16 | next) {
+            // Not unrolled: mostly there is nothing to make up for.
+            black_box(());
             digit -= 1;
             left += upper;
             if left > 0xFFFF {

@@ -36,8 +36,6 @@ const FROM_FINE: u32 = 4;
 #[derive(Clone, Copy)]
 pub(super) enum Vertices<'a> {
     Contours(Contours<'a>),
-    /// One contour.
-    Ring(&'a [(i64, i64)]),
     /// In 1/4096 pixel.
     Outline(&'a dyn outline::Vertices),
 }
@@ -49,7 +47,6 @@ impl Vertices<'_> {
                 let vertex = contours.contour(contour as usize).get(vertex as usize).copied().unwrap_or_default();
                 (i64::from(vertex.x.to_bits()) << FINER, i64::from(vertex.y.to_bits()) << FINER)
             }
-            Self::Ring(ring) => ring.get(vertex as usize).copied().unwrap_or((0, 0)),
             Self::Outline(outline) => {
                 let FinePoint { x, y } = outline.vertex(contour, vertex);
                 (i64::from(x) << FROM_FINE, i64::from(y) << FROM_FINE)
@@ -60,7 +57,6 @@ impl Vertices<'_> {
     fn next(&self, contour: u32, vertex: u32, is_forward: bool) -> u32 {
         match self {
             Self::Contours(contours) => next_index(contours.contour(contour as usize), vertex, is_forward),
-            Self::Ring(ring) => next_index(ring, vertex, is_forward),
             Self::Outline(outline) => outline.next(contour, vertex, is_forward),
         }
     }
@@ -79,15 +75,16 @@ struct Long {
     along_x: bool,
     /// The ends, the first along the longer axis being the first; (along, across).
     ends: [(i64, i64); 2],
-    /// Cut at the tile's near border, at its far one.
+    /// The tile's near border, and its far one.
+    borders: [i64; 2],
+    /// Whether it is cut at them.
     cuts: [bool; 2],
     is_reversed: bool,
 }
 
-impl Far<'_> {
-    fn long(&self, contour: u32, vertex: u32) -> Option<Long> {
-        let next = self.vertices.next(contour, vertex, true);
-        let (a, b) = (self.vertices.at(contour, vertex), self.vertices.at(contour, next));
+impl Long {
+    /// None for one that is not cut, however far away it is.
+    fn new(a: (i64, i64), b: (i64, i64), tile: (i32, i32)) -> Option<Self> {
         let (dx, dy) = (a.0.abs_diff(b.0), a.1.abs_diff(b.1));
         if dx <= LONGEST && dy <= LONGEST {
             return None;
@@ -97,27 +94,69 @@ impl Far<'_> {
         let (a, b) = (turned(a), turned(b));
         let is_reversed = a.0 > b.0;
         let ends = if is_reversed { [b, a] } else { [a, b] };
-        let near = if along_x { self.tile.0 } else { self.tile.1 };
-        let cuts = [near, near.saturating_add(TILE)].map(|border| {
-            let border = i64::from(border) << FINE_BITS;
-            ends[0].0 < border && border < ends[1].0
-        });
-        Some(Long { along_x, ends, cuts, is_reversed })
+        let near = if along_x { tile.0 } else { tile.1 };
+        let borders = [near, near.saturating_add(TILE)].map(|border| i64::from(border) << FINE_BITS);
+        let cuts = borders.map(|border| ends[0].0 < border && border < ends[1].0);
+        Some(Self { along_x, ends, borders, cuts, is_reversed })
+    }
+
+    /// Where it is cut.
+    #[inline(never)]
+    fn at(&self, is_far: bool) -> (i64, i64) {
+        let [start, end] = self.ends;
+        let along = if is_far { self.borders[1] } else { self.borders[0] };
+        let moved = share(along.abs_diff(start.0), start.1.abs_diff(end.1), end.0.abs_diff(start.0)).cast_signed();
+        let across = start.1 + if start.1 <= end.1 { moved } else { -moved };
+        if self.along_x { (along, across) } else { (across, along) }
+    }
+}
+
+/// Relative to `corner`, which lies in the tile; what lies beyond is moved closer.
+#[inline(never)]
+fn relative((x, y): (i64, i64), tile: (i32, i32), corner: (i32, i32)) -> Point {
+    let near = |at: i64, tile: i32, corner: i32| {
+        let from_tile = (at - (i64::from(tile) << FINE_BITS)).clamp(-BEYOND, BEYOND);
+        #[allow(clippy::cast_possible_truncation, reason = "at most 2^30, as the corner lies in the tile")]
+        let near = (from_tile - (i64::from(corner - tile) << FINE_BITS)) as i32;
+        near
+    };
+    Point { x: near(x, tile.0, corner.0), y: near(y, tile.1, corner.1) }
+}
+
+/// Calls with the parts that an edge is cut into, relative to `corner`, in order.
+pub(super) fn each_part(
+    [a, b]: [(i64, i64); 2],
+    tile: (i32, i32),
+    corner: (i32, i32),
+    mut part: impl FnMut(Point, Point),
+) {
+    let relative = |at| relative(at, tile, corner);
+    let mut from = relative(a);
+    if let Some(long) = Long::new(a, b, tile) {
+        for is_far in [long.is_reversed, !long.is_reversed] {
+            let [near, far] = long.cuts;
+            if (is_far && far) || (!is_far && near) {
+                let to = relative(long.at(is_far));
+                part(from, to);
+                from = to;
+            }
+        }
+    }
+    part(from, relative(b));
+}
+
+impl Far<'_> {
+    fn long(&self, contour: u32, vertex: u32) -> Option<Long> {
+        let next = self.vertices.next(contour, vertex, true);
+        Long::new(self.vertices.at(contour, vertex), self.vertices.at(contour, next), self.tile)
     }
 
     fn cuts(&self, contour: u32, vertex: u32) -> u32 {
         self.long(contour, vertex).map_or(0, |long| long.cuts.iter().map(|&cut| u32::from(cut)).sum())
     }
 
-    /// Relative to what is drawn.
-    fn relative(&self, (x, y): (i64, i64)) -> Point {
-        let near = |at: i64, tile: i32, corner: i32| {
-            let from_tile = (at - (i64::from(tile) << FINE_BITS)).clamp(-BEYOND, BEYOND);
-            #[allow(clippy::cast_possible_truncation, reason = "at most 2^30, as the corner lies in the tile")]
-            let near = (from_tile - (i64::from(corner - tile) << FINE_BITS)) as i32;
-            near
-        };
-        Point { x: near(x, self.tile.0, self.corner.0), y: near(y, self.tile.1, self.corner.1) }
+    fn relative(&self, at: (i64, i64)) -> Point {
+        relative(at, self.tile, self.corner)
     }
 }
 
@@ -125,7 +164,6 @@ impl Outline for Far<'_> {
     fn contours(&self) -> u32 {
         match self.vertices {
             Vertices::Contours(contours) => u32::try_from(contours.len()).unwrap_or(u32::MAX),
-            Vertices::Ring(_) => 1,
             Vertices::Outline(outline) => outline.contours(),
         }
     }
@@ -133,7 +171,6 @@ impl Outline for Far<'_> {
     fn first(&self, contour: u32) -> Option<u32> {
         match self.vertices {
             Vertices::Contours(contours) => (!contours.contour(contour as usize).is_empty()).then_some(0),
-            Vertices::Ring(ring) => (!ring.is_empty()).then_some(0),
             Vertices::Outline(outline) => outline.first(contour).map(|index| index << 2),
         }
     }
@@ -152,16 +189,12 @@ impl Outline for Far<'_> {
     fn vertex(&self, contour: u32, index: u32) -> Point {
         let (vertex, cut) = (index >> 2, index & 3);
         let long = if cut == 0 { None } else { self.long(contour, vertex) };
-        let Some(Long { along_x, ends: [start, end], cuts, is_reversed }) = long else {
+        let Some(long) = long else {
             return self.relative(self.vertices.at(contour, vertex));
         };
         // Of two cuts, the first is the near one, unless the edge is the other way round.
-        let is_far = if cuts == [true, true] { (cut == 2) != is_reversed } else { cuts[1] };
-        let near = if along_x { self.tile.0 } else { self.tile.1 };
-        let along = (i64::from(near) + if is_far { i64::from(TILE) } else { 0 }) << FINE_BITS;
-        let moved = share(along.abs_diff(start.0), start.1.abs_diff(end.1), end.0.abs_diff(start.0)).cast_signed();
-        let across = start.1 + if start.1 <= end.1 { moved } else { -moved };
-        self.relative(if along_x { (along, across) } else { (across, along) })
+        let is_far = if long.cuts == [true, true] { (cut == 2) != long.is_reversed } else { long.cuts[1] };
+        self.relative(long.at(is_far))
     }
 }
 

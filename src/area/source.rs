@@ -104,11 +104,6 @@ impl<'a> Source<'a> {
         }
     }
 
-    #[inline]
-    pub(crate) fn vertex(&self, contour: u32, index: u32) -> Point {
-        self.contour(contour).vertex(index)
-    }
-
     /// For each vertex at which a contour turns down, its contour, its index and its height.
     ///
     /// Of vertices side by side, it is the last before the contour goes down.

@@ -15,7 +15,9 @@
 
 use crate::{
     PixelRect, Vertex,
-    area::{PlacedAreaSink, Rounded, send_convex, source::FINE_BITS, vertex_position},
+    area::{
+        PlacedAreaSink, Rounded, division::ratio, root::root_of_word, send_convex, source::FINE_BITS, vertex_position,
+    },
     coverage::CoverageSink,
     geometry::{by_height, pixels_between},
     limits::HALF,
@@ -47,9 +49,10 @@ impl Cover for Line {
 impl Line {
     /// Sends the areas of the pixels in `clip`, before anything is rounded.
     pub(crate) fn areas(&self, clip: &PixelRect, sink: &mut dyn PlacedAreaSink) {
-        let Some((rows, columns)) = visible(&Cover::touched(self), clip) else { return };
+        let touched = Cover::touched(self);
+        let Some((rows, columns)) = visible(&touched, clip) else { return };
         let (upper, lower) = by_height(self.start, self.end);
-        send_convex(&corners(upper, lower), &rows, &columns, sink);
+        send_convex(&corners(upper, lower), &touched, &rows, &columns, sink);
     }
 }
 
@@ -72,13 +75,12 @@ fn corners(upper: Vertex, lower: Vertex) -> [(i64, i64); 4] {
 
 /// How far, in 2^-16 pixel, half a pixel goes across and up or down, square to (dx, dy), which is not (0, 0).
 fn half_a_pixel_square_to(dx: u64, dy: u64) -> (i64, i64) {
-    // Both below 2^32; 31 bits are kept, so that the squares' sum fits, and the more of a short one the better.
-    let excess = 33_u32.saturating_sub((dx | dy).leading_zeros());
-    let (dx, dy) = (dx >> excess, dy >> excess);
-    let square = dx * dx + dy * dy;
-    let more = square.leading_zeros() / 2;
-    let length = (square << (2 * more)).isqrt().max(1);
-    // `part` is at most `length / 2^more`, so `part 2^more` is below 2^32.
-    let share = |part: u64| ((part << (more + FINE_BITS)) / length).div_ceil(2).cast_signed();
+    // The longer one has 31 bits then, so that the squares' sum fits, and both below 2^32.
+    let zeros = (dx | dy).leading_zeros();
+    let normal = |part: u64| u32::try_from(part << (zeros & 63) >> 33).unwrap_or(u32::MAX);
+    let (dx, dy) = (normal(dx), normal(dy));
+    let length = root_of_word(u64::from(dx) * u64::from(dx) + u64::from(dy) * u64::from(dy));
+    // Half of the ratio, from 2^-32 to 2^-16, to the nearest.
+    let share = |part: u32| (((ratio(part, length) >> FINE_BITS) + 1) >> 1).cast_signed();
     (share(dy), share(dx))
 }

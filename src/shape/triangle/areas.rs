@@ -23,12 +23,13 @@ impl Cover for Triangle {
 impl Triangle {
     /// Sends the areas of the pixels in `clip`, before anything is rounded.
     pub(crate) fn areas(&self, clip: &PixelRect, sink: &mut dyn PlacedAreaSink) {
-        let Some((rows, columns)) = visible(&Cover::touched(self), clip) else { return };
+        let touched = Cover::touched(self);
+        let Some((rows, columns)) = visible(&touched, clip) else { return };
         let [a, b, c] = self.vertices;
         let (a, b) = by_height(a, b);
         let (a, c) = by_height(a, c);
         let clockwise = if is_right_of(a, c, b) { [a, b, c] } else { [a, c, b] };
-        send_convex(&clockwise.map(vertex_position), &rows, &columns, sink);
+        send_convex(&clockwise.map(vertex_position), &touched, &rows, &columns, sink);
     }
 }
 
