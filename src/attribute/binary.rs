@@ -1,0 +1,178 @@
+//! Planes over a triangle in binary fixed point: 32 bits of fraction, and one reciprocal for all of them.
+//!
+//! What [`plane`](super::plane) keeps exactly, as a quotient and a remainder, is rounded here: a step is 64 bits, modulo
+//! 2^64, and one addition. A value at any centre is that at the first one, and so many steps: integers, so it does not
+//! matter on which way one gets there, and no clip changes it.
+//!
+//! # Errors
+//!
+//! The reciprocal of the area is off by a relative `e`, below `2^-29`. As all planes are divided by the same one, a value at a
+//! distance `d` from the origin is the exact one at the distance `d (1 + e)`: it is as if the point were moved by a
+//! part of 2^29 of its distance, which changes no value by more than that part of its range. Beyond that, each step
+//! loses less than `2^-32`, which is `2^-7` after all the columns and rows that coordinates can name.
+
+use crate::{
+    attribute::walk::Oriented,
+    subpixel::{centre, pixel_holding},
+};
+
+/// One over an area: `mantissa / 2^(63 + 32 - zeros)`, where the area has so many leading zeros.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Reciprocal {
+    mantissa: u32,
+    zeros: u32,
+}
+
+impl Reciprocal {
+    /// By a division of 32 bits and one step of Newton's, `x (2 - top x)`, whose error is the square of the division's,
+    /// 2^-15, and on the same side always: the mantissa is at most `2^63 / top`.
+    #[inline(always)]
+    fn of(area: u64) -> Self {
+        let zeros = area.max(1).leading_zeros();
+        #[allow(clippy::cast_possible_truncation, reason = "the upper word")]
+        let top = (area.max(1).wrapping_shl(zeros) >> 32) as u32;
+        // 2^48 / top.
+        let guess = u32::MAX / (top >> 16).max(1);
+        let missing = (1_u64 << 48).wrapping_sub(u64::from(top).wrapping_mul(u64::from(guess))).cast_signed();
+        let correction = (i64::from(guess).wrapping_mul(missing) >> 33).cast_unsigned();
+        let mantissa = (u64::from(guess) << 15).wrapping_add(correction);
+        Self { mantissa: u32::try_from(mantissa).unwrap_or(u32::MAX), zeros }
+    }
+}
+
+/// What gradients are kept in before they are divided.
+pub(crate) trait Product: Copy {
+    /// `a b - c d`.
+    fn cross(a: i64, b: i64, c: i64, d: i64) -> Self;
+    /// `a x + b y`.
+    fn at(a: Self, x: i32, b: Self, y: i32) -> Self;
+    /// 256 times as much.
+    fn a_pixel(self) -> Self;
+    /// Over the area, with 32 bits of fraction, modulo 2^64.
+    fn over(self, area: Reciprocal) -> u64;
+}
+
+/// For gradients below 2^54.
+impl Product for i64 {
+    #[inline(always)]
+    fn cross(a: i64, b: i64, c: i64, d: i64) -> i64 {
+        a.wrapping_mul(b).wrapping_sub(c.wrapping_mul(d))
+    }
+
+    #[inline(always)]
+    fn at(a: i64, x: i32, b: i64, y: i32) -> i64 {
+        a.wrapping_mul(x.into()).wrapping_add(b.wrapping_mul(y.into()))
+    }
+
+    #[inline(always)]
+    fn a_pixel(self) -> i64 {
+        self << 8
+    }
+
+    #[inline(always)]
+    fn over(self, area: Reciprocal) -> u64 {
+        let mantissa = u64::from(area.mantissa);
+        let low = u64::from(low_word(self.cast_unsigned())).wrapping_mul(mantissa);
+        let high = (self >> 32).wrapping_mul(mantissa.cast_signed()).wrapping_add_unsigned(low >> 32);
+        // The product is 2^32 high and the lower word of low; 63 - zeros bits of it are too many.
+        match 63_u32.wrapping_sub(area.zeros) {
+            down @ 32.. => high.wrapping_shr(down - 32).cast_unsigned(),
+            down => (high.cast_unsigned() << (32 - down)).wrapping_add(u64::from(low_word(low) >> down)),
+        }
+    }
+}
+
+/// For all there are, below 2^65.
+impl Product for i128 {
+    #[inline(never)]
+    fn cross(a: i64, b: i64, c: i64, d: i64) -> i128 {
+        i128::from(a).wrapping_mul(i128::from(b)).wrapping_sub(i128::from(c).wrapping_mul(i128::from(d)))
+    }
+
+    #[inline(never)]
+    fn at(a: i128, x: i32, b: i128, y: i32) -> i128 {
+        a.wrapping_mul(x.into()).wrapping_add(b.wrapping_mul(y.into()))
+    }
+
+    #[inline]
+    fn a_pixel(self) -> i128 {
+        self << 8
+    }
+
+    #[inline(never)]
+    fn over(self, area: Reciprocal) -> u64 {
+        let product = self.wrapping_mul(area.mantissa.into()).wrapping_shr(63_u32.wrapping_sub(area.zeros));
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "wanted modulo 2^64")]
+        let product = product as u64;
+        product
+    }
+}
+
+#[inline(always)]
+#[allow(clippy::cast_possible_truncation, reason = "the lower word is wanted")]
+fn low_word(value: u64) -> u32 {
+    value as u32
+}
+
+/// `N` values at the centre of a pixel, and their steps, with 32 bits of fraction.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BinaryPlanes<const N: usize> {
+    pub(crate) at: [u64; N],
+    pub(crate) right: [u64; N],
+    down: [u64; N],
+    row: i32,
+    column: i32,
+}
+
+impl<const N: usize> BinaryPlanes<N> {
+    /// The planes through the values of the vertices, at whichever pixel has the first vertex.
+    #[inline(always)]
+    pub(crate) fn new<P: Product>(oriented: &Oriented, values: &[[i32; N]; 3]) -> Self {
+        let [origin, a, b] = oriented.vertices.map(|vertex| (vertex.x.to_bits(), vertex.y.to_bits()));
+        let to = |end: (i32, i32)| (difference(end.0, origin.0), difference(end.1, origin.1));
+        let ((x1, y1), (x2, y2)) = (to(a), to(b));
+        let (column, row) = (pixel_holding(origin.0), pixel_holding(origin.1));
+        let (x, y) = (centre(column).wrapping_sub(origin.0), centre(row).wrapping_sub(origin.1));
+        let area = Reciprocal::of(oriented.area);
+        let mut planes = Self { at: [0; N], right: [0; N], down: [0; N], row, column };
+        let [c0, c1, c2] = values;
+        let steps = planes.right.iter_mut().zip(&mut planes.down);
+        for ((at, (right, down)), (c0, (c1, c2))) in
+            planes.at.iter_mut().zip(steps).zip(c0.iter().zip(c1.iter().zip(c2)))
+        {
+            let (c1, c2) = (difference(*c1, *c0), difference(*c2, *c0));
+            let (gx, gy) = (P::cross(c1, y2, c2, y1), P::cross(x1, c2, x2, c1));
+            *right = gx.a_pixel().over(area);
+            *down = gy.a_pixel().over(area);
+            *at = P::at(gx, x, gy, y).over(area).wrapping_add_signed(i64::from(*c0) << 32);
+        }
+        planes
+    }
+
+    /// Goes to a centre, inside or outside.
+    #[inline(always)]
+    pub(crate) fn go_to(&mut self, row: i32, column: i32) {
+        let (rows, columns) = (row.wrapping_sub(self.row), column.wrapping_sub(self.column));
+        (self.row, self.column) = (row, column);
+        if rows == 1 && columns == 0 {
+            for (at, down) in self.at.iter_mut().zip(&self.down) {
+                *at = at.wrapping_add(*down);
+            }
+        } else {
+            self.move_by(rows, columns);
+        }
+    }
+
+    #[inline(never)]
+    fn move_by(&mut self, rows: i32, columns: i32) {
+        let (rows, columns) = (i64::from(rows).cast_unsigned(), i64::from(columns).cast_unsigned());
+        for (at, (right, down)) in self.at.iter_mut().zip(self.right.iter().zip(&self.down)) {
+            *at = at.wrapping_add(down.wrapping_mul(rows)).wrapping_add(right.wrapping_mul(columns));
+        }
+    }
+}
+
+#[inline(always)]
+fn difference(to: i32, from: i32) -> i64 {
+    i64::from(to).wrapping_sub(i64::from(from))
+}
