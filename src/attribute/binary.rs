@@ -44,12 +44,35 @@ impl Reciprocal {
 pub(crate) trait Product: Copy {
     /// `a b - c d`.
     fn cross(a: i64, b: i64, c: i64, d: i64) -> Self;
-    /// `a x + b y`.
-    fn at(a: Self, x: i32, b: Self, y: i32) -> Self;
-    /// 256 times as much.
-    fn a_pixel(self) -> Self;
-    /// Over the area, with 32 bits of fraction, modulo 2^64.
-    fn over(self, area: Reciprocal) -> u64;
+    /// 256 times as much over the area, with 32 bits of fraction, modulo 2^64.
+    fn per_pixel(self, area: Reciprocal) -> u64;
+    /// `gx x + gy y` over the area, with 32 bits of fraction, modulo 2^64; `steps` are `gx` and `gy` per pixel, and `x` and `y`
+    /// at most half of one.
+    fn near(gradient: (Self, Self), steps: (u64, u64), x: i32, y: i32, area: Reciprocal) -> u64;
+}
+
+/// For values that differ by less than 2^6, areas from 2^14 to 2^32 and vertices less than 2^22 from the first: gradients are
+/// below `126 2^22`, steps below `126 2^16`, and 128 of two of them below 2^31.
+impl Product for i32 {
+    #[inline(always)]
+    fn cross(a: i64, b: i64, c: i64, d: i64) -> i32 {
+        #[allow(clippy::cast_possible_truncation, reason = "differences of this path have 32 bits")]
+        let product = |a: i64, b: i64| (a as i32).wrapping_mul(b as i32);
+        product(a, b).wrapping_sub(product(c, d))
+    }
+
+    #[inline(always)]
+    fn per_pixel(self, area: Reciprocal) -> u64 {
+        let mantissa = (area.mantissa >> 1).cast_signed();
+        let down = 54_u32.wrapping_sub(area.zeros) & 31;
+        (i64::from(self).wrapping_mul(mantissa.into()) >> down).cast_unsigned()
+    }
+
+    #[inline(always)]
+    fn near(_: (i32, i32), (right, down): (u64, u64), x: i32, y: i32, _: Reciprocal) -> u64 {
+        let across = right.cast_signed().wrapping_mul(x.into());
+        (across.wrapping_add(down.cast_signed().wrapping_mul(y.into())) >> 8).cast_unsigned()
+    }
 }
 
 /// For gradients below 2^54.
@@ -60,25 +83,25 @@ impl Product for i64 {
     }
 
     #[inline(always)]
-    fn at(a: i64, x: i32, b: i64, y: i32) -> i64 {
-        a.wrapping_mul(x.into()).wrapping_add(b.wrapping_mul(y.into()))
+    fn per_pixel(self, area: Reciprocal) -> u64 {
+        over(self << 8, area)
     }
 
     #[inline(always)]
-    fn a_pixel(self) -> i64 {
-        self << 8
+    fn near((gx, gy): (i64, i64), _: (u64, u64), x: i32, y: i32, area: Reciprocal) -> u64 {
+        over(gx.wrapping_mul(x.into()).wrapping_add(gy.wrapping_mul(y.into())), area)
     }
+}
 
-    #[inline(always)]
-    fn over(self, area: Reciprocal) -> u64 {
-        let mantissa = u64::from(area.mantissa);
-        let low = u64::from(low_word(self.cast_unsigned())).wrapping_mul(mantissa);
-        let high = (self >> 32).wrapping_mul(mantissa.cast_signed()).wrapping_add_unsigned(low >> 32);
-        // The product is 2^32 high and the lower word of low; 63 - zeros bits of it are too many.
-        match 63_u32.wrapping_sub(area.zeros) {
-            down @ 32.. => high.wrapping_shr(down - 32).cast_unsigned(),
-            down => (high.cast_unsigned() << (32 - down)).wrapping_add(u64::from(low_word(low) >> down)),
-        }
+#[inline(never)]
+fn over(product: i64, area: Reciprocal) -> u64 {
+    let mantissa = u64::from(area.mantissa);
+    let low = u64::from(low_word(product.cast_unsigned())).wrapping_mul(mantissa);
+    let high = (product >> 32).wrapping_mul(mantissa.cast_signed()).wrapping_add_unsigned(low >> 32);
+    // The product is 2^32 high and the lower word of low; 63 - zeros bits of it are too many.
+    match 63_u32.wrapping_sub(area.zeros) {
+        down @ 32.. => high.wrapping_shr(down.wrapping_sub(32)).cast_unsigned(),
+        down => (high.cast_unsigned() << 1 << (31 - down)).wrapping_add(u64::from(low_word(low) >> down)),
     }
 }
 
@@ -89,23 +112,23 @@ impl Product for i128 {
         i128::from(a).wrapping_mul(i128::from(b)).wrapping_sub(i128::from(c).wrapping_mul(i128::from(d)))
     }
 
-    #[inline(never)]
-    fn at(a: i128, x: i32, b: i128, y: i32) -> i128 {
-        a.wrapping_mul(x.into()).wrapping_add(b.wrapping_mul(y.into()))
+    #[inline]
+    fn per_pixel(self, area: Reciprocal) -> u64 {
+        over_wide(self << 8, area)
     }
 
     #[inline]
-    fn a_pixel(self) -> i128 {
-        self << 8
+    fn near((gx, gy): (i128, i128), _: (u64, u64), x: i32, y: i32, area: Reciprocal) -> u64 {
+        over_wide(gx.wrapping_mul(x.into()).wrapping_add(gy.wrapping_mul(y.into())), area)
     }
+}
 
-    #[inline(never)]
-    fn over(self, area: Reciprocal) -> u64 {
-        let product = self.wrapping_mul(area.mantissa.into()).wrapping_shr(63_u32.wrapping_sub(area.zeros));
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "wanted modulo 2^64")]
-        let product = product as u64;
-        product
-    }
+#[inline(never)]
+fn over_wide(product: i128, area: Reciprocal) -> u64 {
+    let product = product.wrapping_mul(area.mantissa.into()).wrapping_shr(63_u32.wrapping_sub(area.zeros));
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "wanted modulo 2^64")]
+    let product = product as u64;
+    product
 }
 
 #[inline(always)]
@@ -125,7 +148,8 @@ pub(crate) struct BinaryPlanes<const N: usize> {
 }
 
 impl<const N: usize> BinaryPlanes<N> {
-    /// The planes through the values of the vertices, at whichever pixel has the first vertex.
+    /// The planes through the values of the vertices, at whichever pixel has the first vertex; for which triangles, the product
+    /// says.
     #[inline(always)]
     pub(crate) fn new<P: Product>(oriented: &Oriented, values: &[[i32; N]; 3]) -> Self {
         let [origin, a, b] = oriented.vertices.map(|vertex| (vertex.x.to_bits(), vertex.y.to_bits()));
@@ -142,9 +166,8 @@ impl<const N: usize> BinaryPlanes<N> {
         {
             let (c1, c2) = (difference(*c1, *c0), difference(*c2, *c0));
             let (gx, gy) = (P::cross(c1, y2, c2, y1), P::cross(x1, c2, x2, c1));
-            *right = gx.a_pixel().over(area);
-            *down = gy.a_pixel().over(area);
-            *at = P::at(gx, x, gy, y).over(area).wrapping_add_signed(i64::from(*c0) << 32);
+            (*right, *down) = (gx.per_pixel(area), gy.per_pixel(area));
+            *at = P::near((gx, gy), (*right, *down), x, y, area).wrapping_add_signed(i64::from(*c0) << 32);
         }
         planes
     }

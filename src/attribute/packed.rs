@@ -129,6 +129,12 @@ fn joined([high, middle, low]: [u64; 3]) -> u64 {
     high.wrapping_add(low).wrapping_add(places(middle, 13)).cast_unsigned()
 }
 
+/// The planes of triangles of any size.
+#[inline(never)]
+fn far(oriented: &Oriented, values: &[[i32; 3]; 3]) -> BinaryPlanes<3> {
+    BinaryPlanes::new::<i64>(oriented, values)
+}
+
 impl<C: Packed> Word<C> {
     /// Out of line: within a walk, its registers would be taken.
     #[inline(never)]
@@ -157,7 +163,10 @@ impl<C: Packed> Gouraud<C, PACKED> {
     fn pieces<E>(&self, clip: &PixelRect, emit: impl FnMut(Span, Word<C>) -> Result<(), E>) -> Result<(), E> {
         let Some(oriented) = Oriented::new(&self.triangle) else { return Ok(()) };
         let values = oriented.ordered(&self.colours).map(C::in_order);
-        let mut planes = BinaryPlanes::new::<i64>(&oriented, &values);
+        let mut planes = BinaryPlanes::new::<i32>(&oriented, &values);
+        if !oriented.is_middling() {
+            planes = far(&oriented, &values);
+        }
         for at in &mut planes.at {
             *at = at.wrapping_add(1 << 31);
         }

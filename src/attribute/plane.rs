@@ -47,7 +47,7 @@ pub(crate) trait Word: Copy + Debug {
     fn divided(gx: Self::Product, gy: Self::Product, x: i64, y: i64, area: Self) -> (i32, Self);
 }
 
-/// For areas below 2^32, values that differ by less than 2^31 and boxes of less than 2^23 in either direction.
+/// For areas below 2^32, values that differ by less than 2^31 and vertices less than 2^22 from the first.
 ///
 /// `|gx|` is twice an area in the plane of `c` and `y`, so at most `2^31 * 2^23`, and `256 gx` fits 63 bits. Inside the
 /// triangle `gx x + gy y` is `A (c - c0)`, below 2^63: its terms may wrap, their sum does not.
@@ -216,19 +216,6 @@ fn divide_wide(n: i128, area: u64) -> (i32, u64) {
     (quotient, remainder)
 }
 
-/// Twice the signed area of a triangle; positive when its vertices turn clockwise on the screen.
-#[inline]
-pub(crate) fn doubled_area(vertices: &[Vertex; 3]) -> i128 {
-    let [(x1, y1), (x2, y2)] = sides(vertices);
-    let narrow = |d: i64| i32::try_from(d).is_ok();
-    if narrow(x1) && narrow(y1) && narrow(x2) && narrow(y2) {
-        // Products of 31 bits: their difference fits 63.
-        i128::from(x1 * y2 - x2 * y1)
-    } else {
-        i128::from(x1) * i128::from(y2) - i128::from(x2) * i128::from(y1)
-    }
-}
-
 /// The vectors from the first vertex to the others.
 #[inline(always)]
 fn sides(vertices: &[Vertex; 3]) -> [(i64, i64); 2] {
@@ -254,13 +241,6 @@ impl<W: Word> Step<W> {
 }
 
 impl<W: Word> Step<W> {
-    /// To the nearest whole unit, modulo 2^32: what binary fixed point keeps of it.
-    #[inline(always)]
-    pub(super) fn rounded(&self, area: W) -> i32 {
-        // More than half where less than that is missing.
-        self.whole.wrapping_add(i32::from(!self.rest.less(area.wrapping_sub(self.rest))))
-    }
-
     /// A step of twice as many pixels.
     #[inline]
     fn doubled(self, area: W) -> Self {

@@ -174,22 +174,22 @@ impl Sorted {
             return Ok(());
         }
         let middle_is_right = self.middle_is_right();
-        let mut long = Edge::on_first_row(self.top, self.bottom, first);
+        let long = Edge::on_first_row(self.top, self.bottom, first);
         let (from, to) = if first < turn { (self.top, self.middle) } else { (self.middle, self.bottom) };
-        let mut short = Edge::on_first_row(from, to, first);
+        let short = Edge::on_first_row(from, to, first);
+        let (mut left, mut right) = if middle_is_right { (long, short) } else { (short, long) };
         let mut row = first;
         loop {
-            let (left, right) = if middle_is_right { (long.column, short.column) } else { (short.column, long.column) };
-            each_row(row, left..right)?;
+            each_row(row, left.column..right.column)?;
             row = row.wrapping_add(1);
             if row == end {
                 return Ok(());
             }
-            long.step();
+            left.step();
+            right.step();
             if row == turn {
-                short = Edge::on_first_row(self.middle, self.bottom, turn);
-            } else {
-                short.step();
+                let lower = Edge::on_first_row(self.middle, self.bottom, turn);
+                *(if middle_is_right { &mut right } else { &mut left }) = lower;
             }
         }
     }
