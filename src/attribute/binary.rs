@@ -172,6 +172,28 @@ impl<const N: usize> BinaryPlanes<N> {
         planes
     }
 
+    #[inline(always)]
+    pub(crate) fn column(&self) -> i32 {
+        self.column
+    }
+
+    /// Goes to a row, in the same column.
+    #[inline(always)]
+    pub(crate) fn go_down_to(&mut self, row: i32) {
+        self.go_to(row, self.column);
+    }
+
+    /// The values in a column of the current row.
+    #[inline(always)]
+    pub(crate) fn at_column(&self, column: i32) -> [u64; N] {
+        let columns = i64::from(column.wrapping_sub(self.column)).cast_unsigned();
+        let mut at = self.at;
+        for (at, right) in at.iter_mut().zip(&self.right) {
+            *at = at.wrapping_add(right.wrapping_mul(columns));
+        }
+        at
+    }
+
     /// Goes to a centre, inside or outside.
     #[inline(always)]
     pub(crate) fn go_to(&mut self, row: i32, column: i32) {

@@ -128,8 +128,8 @@ impl<C: PixelColor> Gouraud<C> {
         C: Channels<N>,
     {
         let values = oriented.ordered(&self.colours).map(C::channels);
-        let make = |start| Joined::new(Planes::new(&oriented.vertices, &values, area, start));
-        walk(&self.triangle, clip, make, |span, joined: &Joined<W, BitsOf<C>, N, 1>| {
+        let mut joined = Joined::<W, BitsOf<C>, N, 1>::new(Planes::new(&oriented.vertices, &values, area));
+        walk(&self.triangle, clip, &mut joined, |span, joined| {
             fill_joined(row_of(target, &span), joined);
             Ok(())
         })

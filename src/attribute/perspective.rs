@@ -20,15 +20,16 @@
 //! - Interpolated `W` are whole numbers again: half of one is at most 1/8 texel of 64 where `W` is 256.
 //! - Quotients are rounded to whole units, and steps within a piece to `2^-8` of one: two units more at most.
 
-use core::{array, iter::repeat};
+use core::iter::repeat;
 
 use crate::{
-    PixelRect, Triangle,
+    PixelRect, Span, Triangle,
     attribute::{
         AttributeRow, AttributeSink, Attributes,
         affine::depth,
-        plane::{Planes, Standing, Strides, Word},
-        walk::{Oriented, walk},
+        binary::{BinaryPlanes, Product},
+        plane::{Planes, Word},
+        walk::{Follow, Oriented, walk},
     },
 };
 
@@ -147,42 +148,69 @@ impl<const N: usize> Perspective<N> {
         Self { tolerance: units, ..self }
     }
 
-    #[inline]
-    fn planes<W: Word>(&self, oriented: &Oriented, area: W, start: (i32, i32)) -> Quotients<W, N> {
-        Quotients {
-            numerators: Planes::new(&oriented.vertices, &oriented.ordered(&self.numerators), area, start),
-            inverse: Planes::new(&oriented.vertices, &oriented.ordered(&self.inverses).map(|w| [w]), area, start),
+    #[inline(always)]
+    fn quotients(&self, oriented: &Oriented) -> Quotients<N> {
+        let (numerators, inverses) = (oriented.ordered(&self.numerators), oriented.ordered(&self.inverses));
+        let inverses = inverses.map(|inverse| [inverse]);
+        // Numerators have 30 bits.
+        if oriented.is_within(22) {
+            Quotients::new::<i64>(oriented, &numerators, &inverses)
+        } else {
+            far(oriented, &numerators, &inverses)
         }
     }
 }
 
-#[derive(Debug)]
-struct Quotients<W: Word, const N: usize> {
-    numerators: Planes<W, N>,
-    inverse: Planes<W, 1>,
+/// Those of triangles of any size.
+#[cold]
+#[inline(never)]
+fn far<const N: usize>(oriented: &Oriented, numerators: &[[i32; N]; 3], inverses: &[[i32; 1]; 3]) -> Quotients<N> {
+    Quotients::new::<i128>(oriented, numerators, inverses)
 }
 
-impl<W: Word, const N: usize> super::walk::Follow for Quotients<W, N> {
+/// The planes of a triangle at a row, and a column there.
+#[derive(Debug)]
+struct Quotients<const N: usize> {
+    numerators: BinaryPlanes<N>,
+    inverse: BinaryPlanes<1>,
+    column: i32,
+}
+
+impl<const N: usize> Quotients<N> {
+    #[inline(always)]
+    fn new<P: Product>(oriented: &Oriented, numerators: &[[i32; N]; 3], inverses: &[[i32; 1]; 3]) -> Self {
+        let mut numerators = BinaryPlanes::new::<P>(oriented, numerators);
+        let mut inverse = BinaryPlanes::new::<P>(oriented, inverses);
+        // To the nearest by taking the upper word.
+        for at in numerators.at.iter_mut().chain(&mut inverse.at) {
+            *at = at.wrapping_add(1 << 31);
+        }
+        Self { column: inverse.column(), numerators, inverse }
+    }
+}
+
+impl<const N: usize> Follow for Quotients<N> {
+    /// Rows go down in the column of the first vertex.
     #[inline(always)]
     fn go_to(&mut self, row: i32, column: i32) {
-        self.numerators.go_to(row, column);
-        self.inverse.go_to(row, column);
+        self.numerators.go_down_to(row);
+        self.inverse.go_down_to(row);
+        self.column = column;
     }
 }
 
 /// The values of a span, piece by piece.
 #[derive(Debug)]
-struct Pieces<'p, W: Word, const N: usize> {
-    numerators: Standing<W, N>,
-    inverse: Standing<W, 1>,
-    strides: &'p (Strides<W, N>, Strides<W, 1>),
-    bases: [i32; N],
-    ranges: [i32; N],
-    tolerance: u32,
-    /// The exact values at the current centre, less the bases, and their `W`.
+struct Pieces<'p, const N: usize> {
+    of: &'p Perspective<N>,
+    steps: [u64; N],
+    inverse_step: u64,
+    /// At the end of the current piece, which is the start of the next: the planes, the exact values less the bases, and their `W`.
+    numerators: [u64; N],
+    inverse: u64,
     start: [i32; N],
-    start_inverse: i32,
-    /// How many more centres the span has to the right of the current one.
+    start_inverse: u32,
+    /// How many more centres the span has to the right of there.
     rest: u32,
     /// How long the next piece may be, to the power of two.
     length_log2: u32,
@@ -227,74 +255,82 @@ impl<const N: usize> Piece<N> {
     }
 }
 
-impl<W: Word, const N: usize> Pieces<'_, W, N> {
+impl<const N: usize> Pieces<'_, N> {
     /// The next piece: as long as the tolerance allows.
     #[inline(never)]
     fn refill(&mut self) {
-        let bases = self.bases;
-        let held = |start: &[i32; N]| {
-            let mut current = *start;
-            for (current, base) in current.iter_mut().zip(bases) {
-                *current = (current.wrapping_add(base) << FRACTION) + (1 << (FRACTION - 1));
-            }
-            current
-        };
+        let mut current = self.start;
+        for (current, base) in current.iter_mut().zip(&self.of.bases) {
+            *current = (current.wrapping_add(*base) << FRACTION) + (1 << (FRACTION - 1));
+        }
         if self.rest == 0 {
-            self.piece = Piece { current: held(&self.start), step: [0; N], left: 1 };
+            self.piece = Piece { current, step: [0; N], left: 1 };
             return;
         }
         loop {
             let length = self.rest.min(1 << self.length_log2);
-            let (mut numerators, mut inverse) = (self.numerators, self.inverse);
-            numerators.advance(length, &self.strides.0);
-            inverse.advance(length, &self.strides.1);
-            let [w] = inverse.values();
-            let w = w.max(1);
-            let end = quotients(numerators.values(), w, &self.ranges);
-            if length > 1 && !self.is_near(&end, w) {
+            let advanced = |at: u64, step: u64| at.wrapping_add(step.wrapping_mul(length.into()));
+            let mut numerators = self.numerators;
+            for (numerator, step) in numerators.iter_mut().zip(&self.steps) {
+                *numerator = advanced(*numerator, *step);
+            }
+            let inverse = advanced(self.inverse, self.inverse_step);
+            let w = whole(inverse).max(1).cast_unsigned();
+            let end = quotients(&numerators, w, &self.of.ranges);
+            let error = self.error(&end, w);
+            let bound = u64::from(w.min(self.start_inverse)).wrapping_mul(u64::from(self.of.tolerance));
+            if length > 1 && error > bound {
                 // To the next power of two below the length.
-                self.length_log2 = (u32::BITS - 1 - (length - 1).leading_zeros()).min(self.length_log2 - 1);
+                self.length_log2 =
+                    (u32::BITS - 1 - (length - 1).leading_zeros()).min(self.length_log2.saturating_sub(1));
                 continue;
             }
-            let step = array::from_fn(|index| {
-                let of = |values: &[i32; N]| values.get(index).copied().unwrap_or_default();
-                let difference = (of(&end) - of(&self.start)) << FRACTION;
-                if length.is_power_of_two() {
-                    difference >> length.trailing_zeros()
-                } else {
-                    difference / length.cast_signed().max(1)
-                }
-            });
-            self.piece = Piece { current: held(&self.start), step, left: length };
+            // An error grows as the square of the length.
+            if 4 * error <= bound && self.length_log2 < longest_log2(self.of.tolerance) {
+                self.length_log2 += 1;
+            }
+            let mut step = end;
+            for (step, start) in step.iter_mut().zip(&self.start) {
+                *step = ((*step - *start) << FRACTION) / length.cast_signed().max(1);
+            }
+            self.piece = Piece { current, step, left: length };
             (self.numerators, self.inverse, self.start, self.start_inverse) = (numerators, inverse, end, w);
             self.rest -= length;
-            self.length_log2 = (self.length_log2 + 1).min(longest_log2(self.tolerance));
             return;
         }
     }
 
-    /// Whether a line from the current values to those at `end` is within the tolerance, see the module.
-    #[inline]
-    fn is_near(&self, end: &[i32; N], end_inverse: i32) -> bool {
+    /// How far a line from the current values to those at `end` may be off, times `W`: see the module.
+    #[inline(always)]
+    fn error(&self, end: &[i32; N], end_inverse: u32) -> u64 {
         let change = u64::from(end_inverse.abs_diff(self.start_inverse));
-        let bound = 4 * u64::from(self.tolerance) * u64::from(end_inverse.min(self.start_inverse).unsigned_abs());
-        end.iter().zip(&self.start).all(|(end, start)| u64::from(end.abs_diff(*start)) * change <= bound)
+        let largest = end.iter().zip(&self.start).map(|(end, start)| end.abs_diff(*start)).max().unwrap_or(0);
+        (u64::from(largest) * change).div_ceil(4)
     }
 }
 
-/// To the nearest; numerators are not negative at a centre inside, and below 2^30. As `w` was rounded, too, a quotient
-/// could go beyond the largest value.
+/// The whole part of a plane's value.
 #[inline(always)]
-fn quotients<const N: usize>(numerators: [i32; N], w: i32, ranges: &[i32; N]) -> [i32; N] {
-    let w = w.cast_unsigned().max(1);
-    let mut quotients = numerators;
-    for (quotient, range) in quotients.iter_mut().zip(ranges) {
-        *quotient = (quotient.cast_unsigned().wrapping_add(w / 2) / w).cast_signed().min(*range);
+fn whole(value: u64) -> i32 {
+    #[allow(clippy::cast_possible_truncation, reason = "the upper word")]
+    let upper = (value >> 32) as u32;
+    upper.cast_signed()
+}
+
+/// To the nearest. Numerators are below 2^30 at a centre inside; next to an edge they may be a little below 0. As `w` was
+/// rounded, too, a quotient could go beyond the largest value.
+#[inline(always)]
+fn quotients<const N: usize>(numerators: &[u64; N], w: u32, ranges: &[i32; N]) -> [i32; N] {
+    let w = w.max(1);
+    let mut quotients = *ranges;
+    for (quotient, numerator) in quotients.iter_mut().zip(numerators) {
+        let numerator = whole(*numerator).max(0).cast_unsigned();
+        *quotient = (numerator.wrapping_add(w / 2) / w).cast_signed().min(*quotient);
     }
     quotients
 }
 
-impl<W: Word, const N: usize> Iterator for Pieces<'_, W, N> {
+impl<const N: usize> Iterator for Pieces<'_, N> {
     type Item = [i32; N];
 
     #[inline]
@@ -307,7 +343,7 @@ impl<W: Word, const N: usize> Iterator for Pieces<'_, W, N> {
     }
 }
 
-impl<W: Word, const N: usize> AttributeRow<N> for Pieces<'_, W, N> {
+impl<const N: usize> AttributeRow<N> for Pieces<'_, N> {
     #[inline(never)]
     fn write<T>(&mut self, into: &mut [T], mut write: impl FnMut(&mut T, [i32; N])) {
         let mut rest = into;
@@ -332,27 +368,22 @@ fn write_piece<T, const N: usize>(mut piece: Piece<N>, into: &mut [T], write: &m
     }
 }
 
-impl<W: Word, const N: usize> Quotients<W, N> {
-    #[inline]
-    fn pieces<'p>(
-        &self,
-        of: &Perspective<N>,
-        width: u32,
-        strides: &'p (Strides<W, N>, Strides<W, 1>),
-    ) -> Pieces<'p, W, N> {
-        let (numerators, inverse) = (self.numerators.standing(), self.inverse.standing());
-        let [w] = inverse.values();
-        let w = w.max(1);
+impl<const N: usize> Quotients<N> {
+    #[inline(always)]
+    fn pieces<'p>(&self, of: &'p Perspective<N>, span: &Span) -> Pieces<'p, N> {
+        let numerators = self.numerators.at_column(self.column);
+        let [inverse] = self.inverse.at_column(self.column);
+        let [inverse_step] = self.inverse.right;
+        let w = whole(inverse).max(1).cast_unsigned();
         Pieces {
-            start: quotients(numerators.values(), w, &of.ranges),
+            of,
+            steps: self.numerators.right,
+            inverse_step,
+            start: quotients(&numerators, w, &of.ranges),
             start_inverse: w,
             numerators,
             inverse,
-            strides,
-            bases: of.bases,
-            ranges: of.ranges,
-            tolerance: of.tolerance,
-            rest: width.saturating_sub(1),
+            rest: span.columns.end.wrapping_sub(span.columns.start).cast_unsigned().saturating_sub(1),
             length_log2: longest_log2(of.tolerance),
             piece: Piece { current: [0; N], step: [0; N], left: 0 },
         }
@@ -368,10 +399,10 @@ impl<const N: usize> Attributes<N> for Perspective<N> {
     #[inline]
     fn interpolate<S: AttributeSink<N>>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
         let Some(oriented) = Oriented::new(&self.triangle) else { return Ok(()) };
-        match oriented.narrow(&self.numerators) {
-            Some(area) => self.rows(&oriented, area, clip, sink),
-            None => self.rows(&oriented, oriented.area, clip, sink),
-        }
+        walk(&self.triangle, clip, &mut self.quotients(&oriented), |span, quotients| {
+            let pieces = quotients.pieces(self, &span);
+            sink.span(span, pieces, repeat(0))
+        })
     }
 
     #[inline]
@@ -382,7 +413,7 @@ impl<const N: usize> Attributes<N> for Perspective<N> {
         sink: &mut S,
     ) -> Result<(), S::Error> {
         let Some(oriented) = Oriented::new(&self.triangle) else { return Ok(()) };
-        match oriented.narrow(&self.numerators) {
+        match oriented.near() {
             Some(area) => self.rows_with_depth(&oriented, area, depths, clip, sink),
             None => self.rows_with_depth(&oriented, oriented.area, depths, clip, sink),
         }
@@ -390,27 +421,6 @@ impl<const N: usize> Attributes<N> for Perspective<N> {
 }
 
 impl<const N: usize> Perspective<N> {
-    #[inline]
-    fn rows<W: Word, S: AttributeSink<N>>(
-        &self,
-        oriented: &Oriented,
-        area: W,
-        clip: &PixelRect,
-        sink: &mut S,
-    ) -> Result<(), S::Error> {
-        let mut strides = None;
-        walk(
-            &self.triangle,
-            clip,
-            |start| self.planes(oriented, area, start),
-            |span, planes: &Quotients<W, N>| {
-                let strides = strides.get_or_insert_with(|| (planes.numerators.strides(), planes.inverse.strides()));
-                let width = span.columns.end.wrapping_sub(span.columns.start).cast_unsigned();
-                sink.span(span, planes.pieces(self, width, strides), repeat(0))
-            },
-        )
-    }
-
     #[inline]
     fn rows_with_depth<W: Word, S: AttributeSink<N>>(
         &self,
@@ -421,12 +431,10 @@ impl<const N: usize> Perspective<N> {
         sink: &mut S,
     ) -> Result<(), S::Error> {
         let depths = oriented.ordered(&depths).map(|depth| [i32::from(depth)]);
-        let mut strides = None;
-        let make = |start| (self.planes(oriented, area, start), Planes::new(&oriented.vertices, &depths, area, start));
-        walk(&self.triangle, clip, make, |span, (planes, depths): &(Quotients<W, N>, Planes<W, 1>)| {
-            let strides = strides.get_or_insert_with(|| (planes.numerators.strides(), planes.inverse.strides()));
-            let width = span.columns.end.wrapping_sub(span.columns.start).cast_unsigned();
-            sink.span(span, planes.pieces(self, width, strides), depths.to_the_right().map(depth))
+        let mut planes = (self.quotients(oriented), Planes::new(&oriented.vertices, &depths, area));
+        walk(&self.triangle, clip, &mut planes, |span, (quotients, depths)| {
+            let pieces = quotients.pieces(self, &span);
+            sink.span(span, pieces, depths.to_the_right().map(depth))
         })
     }
 }

@@ -240,16 +240,6 @@ impl<W: Word> Step<W> {
     }
 }
 
-impl<W: Word> Step<W> {
-    /// A step of twice as many pixels.
-    #[inline]
-    fn doubled(self, area: W) -> Self {
-        let mut at = At { value: 0, lacking: self.rest.wrapping_sub(area) };
-        at.step(&self, area);
-        Self { whole: self.whole.wrapping_add(at.value), rest: at.lacking.wrapping_add(area) }
-    }
-}
-
 /// An attribute at the current centre.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct At<W> {
@@ -279,6 +269,9 @@ impl<W: Word> At<W> {
 /// Wherever the next span starts further away than this, its values are divided afresh.
 pub(super) const NEAR_COLUMNS: i32 = 8;
 
+/// No pixel's row and column, nor next to one's.
+const NOWHERE: i32 = i32::MIN;
+
 /// `N` attributes over a triangle, at the centre of a pixel.
 #[derive(Debug, Clone)]
 pub(crate) struct Planes<W: Word, const N: usize> {
@@ -295,10 +288,10 @@ pub(crate) struct Planes<W: Word, const N: usize> {
 }
 
 impl<W: Word, const N: usize> Planes<W, N> {
-    /// The planes through the values of the vertices, `area` being twice the triangle's, which turns clockwise. `start`
-    /// is a row and a column whose centre is inside.
+    /// The planes through the values of the vertices, `area` being twice the triangle's, which turns clockwise. They are nowhere
+    /// before they have gone to a centre.
     #[inline(always)]
-    pub(crate) fn new(vertices: &[Vertex; 3], values: &[[i32; N]; 3], area: W, start: (i32, i32)) -> Self {
+    pub(crate) fn new(vertices: &[Vertex; 3], values: &[[i32; N]; 3], area: W) -> Self {
         let [(x1, y1), (x2, y2)] = sides(vertices);
         let [c0, c1, c2] = values;
         let gradient = |(c0, c1, c2): (i32, i32, i32)| {
@@ -307,7 +300,7 @@ impl<W: Word, const N: usize> Planes<W, N> {
         };
         let gradients = zip3(c0, c1, c2).map(gradient);
         let [origin, ..] = vertices;
-        let mut planes = Self {
+        Self {
             area,
             origin: (origin.x.to_bits(), origin.y.to_bits()),
             bases: *c0,
@@ -315,11 +308,9 @@ impl<W: Word, const N: usize> Planes<W, N> {
             right: gradients.map(|(x, _)| Step::new(x, area)),
             down: gradients.map(|(_, y)| Step::new(y, area)),
             current: [At { value: 0, lacking: area }; N],
-            column: start.1,
-            row: start.0,
-        };
-        planes.evaluate();
-        planes
+            column: NOWHERE,
+            row: NOWHERE,
+        }
     }
 
     /// The values at the current centre, by a division each.
@@ -363,53 +354,6 @@ impl<W: Word, const N: usize> Planes<W, N> {
     #[inline(always)]
     pub(crate) fn to_the_right(&self) -> Rightwards<'_, W, N> {
         Rightwards { current: self.current, planes: self }
-    }
-
-    #[inline(always)]
-    pub(crate) fn standing(&self) -> Standing<W, N> {
-        Standing(self.current)
-    }
-
-    /// Steps to the right of 1, 2, 4, 8 and 16 pixels.
-    #[inline(never)]
-    pub(crate) fn strides(&self) -> Strides<W, N> {
-        let mut steps = [self.right; 5];
-        let mut previous = self.right;
-        for next in steps.iter_mut().skip(1) {
-            previous = previous.map(|step| step.doubled(self.area));
-            *next = previous;
-        }
-        Strides { area: self.area, steps }
-    }
-}
-
-/// Steps to the right of 1, 2, 4, 8 and 16 pixels.
-#[derive(Debug, Clone)]
-pub(crate) struct Strides<W, const N: usize> {
-    area: W,
-    steps: [[Step<W>; N]; 5],
-}
-
-/// Values at a centre, without the steps.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Standing<W, const N: usize>([At<W>; N]);
-
-impl<W: Word, const N: usize> Standing<W, N> {
-    #[inline(always)]
-    pub(crate) fn values(&self) -> [i32; N] {
-        self.0.map(|at| at.value)
-    }
-
-    /// Goes `columns` to the right, in `0..=16`.
-    #[inline(always)]
-    pub(crate) fn advance(&mut self, columns: u32, strides: &Strides<W, N>) {
-        for (bit, steps) in strides.steps.iter().enumerate() {
-            if columns >> bit & 1 != 0 {
-                for (at, step) in self.0.iter_mut().zip(steps) {
-                    at.step(step, strides.area);
-                }
-            }
-        }
     }
 }
 

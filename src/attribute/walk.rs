@@ -45,11 +45,17 @@ impl Oriented {
         self.order.map(|index| values.get(index).copied().unwrap_or(first))
     }
 
+    /// Whether no vertex is `2^bits` sub-pixels from the first, or more.
+    #[inline(always)]
+    pub(crate) fn is_within(&self, bits: u32) -> bool {
+        self.reach >> bits == 0
+    }
+
     /// The area in 32 bits, where the vertices are less than 2^22 apart (16384 px), too.
     #[inline]
     pub(crate) fn near(&self) -> Option<u32> {
         let area = u32::try_from(self.area).ok()?;
-        (self.reach < 1 << 22).then_some(area)
+        self.is_within(22).then_some(area)
     }
 
     /// Whether it is near, and has a quarter of a pixel.
@@ -117,34 +123,29 @@ impl<A: Follow, B: Follow> Follow for (A, B) {
     }
 }
 
-/// Emits every span of the triangle with the planes at its first centre. They are made at the first of all.
+/// Emits every span of the triangle with the planes at its first centre.
 #[inline(always)]
 pub(crate) fn walk<P: Follow, E>(
     triangle: &Triangle,
     clip: &PixelRect,
-    make: impl FnOnce((i32, i32)) -> P,
+    planes: &mut P,
     emit: impl FnMut(Span, &P) -> Result<(), E>,
 ) -> Result<(), E> {
-    triangle.spans(clip, &mut Walk { make: Some(make), planes: None, emit, error: PhantomData })
+    triangle.spans(clip, &mut Walk { planes, emit, error: PhantomData })
 }
 
-struct Walk<P, M, F, E> {
-    make: Option<M>,
-    planes: Option<P>,
+struct Walk<'p, P, F, E> {
+    planes: &'p mut P,
     emit: F,
     error: PhantomData<fn() -> E>,
 }
 
-impl<P: Follow, M: FnOnce((i32, i32)) -> P, F: FnMut(Span, &P) -> Result<(), E>, E> SpanSink for Walk<P, M, F, E> {
+impl<P: Follow, F: FnMut(Span, &P) -> Result<(), E>, E> SpanSink for Walk<'_, P, F, E> {
     type Error = E;
 
     #[inline]
     fn span(&mut self, span: Span) -> Result<(), E> {
-        if let Some(make) = self.make.take() {
-            self.planes = Some(make((span.row, span.columns.start)));
-        }
-        let Some(planes) = &mut self.planes else { return Ok(()) };
-        planes.go_to(span.row, span.columns.start);
-        (self.emit)(span, planes)
+        self.planes.go_to(span.row, span.columns.start);
+        (self.emit)(span, self.planes)
     }
 }
