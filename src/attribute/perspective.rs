@@ -101,6 +101,8 @@ pub struct Perspective<const N: usize> {
 
 /// Bits of the largest `W`, at most.
 const INVERSE_BITS: u32 = 16;
+/// What no value is off by anyway.
+const HIGHEST_TOLERANCE: u32 = 1 << 22;
 /// How far values may be from 0.
 const VALUE_REACH: i32 = 1 << 21;
 
@@ -145,7 +147,7 @@ impl<const N: usize> Perspective<N> {
     /// clip lets them: only with 0 is no value changed by where a drawing is cut.
     #[inline]
     pub const fn tolerance(self, units: u32) -> Self {
-        Self { tolerance: units, ..self }
+        Self { tolerance: if units < HIGHEST_TOLERANCE { units } else { HIGHEST_TOLERANCE }, ..self }
     }
 
     #[inline(always)]
@@ -203,17 +205,17 @@ impl<const N: usize> Follow for Quotients<N> {
 #[derive(Debug)]
 struct Pieces<'p, const N: usize> {
     of: &'p Perspective<N>,
-    steps: [u64; N],
-    inverse_step: u64,
-    /// At the end of the current piece, which is the start of the next: the planes, the exact values less the bases, and their `W`.
+    quotients: &'p Quotients<N>,
+    /// At the end of the current piece, which is the start of the next: the planes, and the exact values less the bases.
     numerators: [u64; N],
     inverse: u64,
     start: [i32; N],
-    start_inverse: u32,
+    /// The exact values at the last centre.
+    last: [i32; N],
     /// How many more centres the span has to the right of there.
     rest: u32,
-    /// How long the next piece may be, to the power of two.
-    length_log2: u32,
+    /// How long a piece is.
+    length: u32,
     piece: Piece<N>,
 }
 
@@ -226,12 +228,8 @@ struct Piece<const N: usize> {
 }
 
 const FRACTION: u32 = 8;
-const LONGEST_LOG2: u32 = 4;
-
-/// Without a tolerance, every pixel is divided, whatever it is divided by: no value then depends on the clip.
-const fn longest_log2(tolerance: u32) -> u32 {
-    if tolerance == 0 { 0 } else { LONGEST_LOG2 }
-}
+/// Pieces have 64 pixels at most.
+const LONGEST_LOG2: u32 = 6;
 
 impl<const N: usize> Piece<N> {
     #[inline(always)]
@@ -243,69 +241,74 @@ impl<const N: usize> Piece<N> {
         values
     }
 
-    /// Goes past some that are left.
+    /// Past some that are left.
     #[inline(always)]
-    fn skip(&mut self, count: u32) {
+    fn after(mut self, count: u32) -> Self {
         self.left = self.left.saturating_sub(count);
         if self.left > 0 {
             for (current, step) in self.current.iter_mut().zip(&self.step) {
                 *current = current.wrapping_add(step.wrapping_mul(count.cast_signed()));
             }
         }
+        self
     }
 }
 
 impl<const N: usize> Pieces<'_, N> {
-    /// The next piece: as long as the tolerance allows.
-    #[inline(never)]
-    fn refill(&mut self) {
-        let mut current = self.start;
-        for (current, base) in current.iter_mut().zip(&self.of.bases) {
+    /// The next piece. The last one has the last centre, too.
+    #[inline(always)]
+    fn next_piece(&mut self) -> Piece<N> {
+        let (mut end, mut length, mut left) = (self.last, self.rest, self.rest.wrapping_add(1));
+        if self.rest > self.length {
+            length = self.length;
+            left = length;
+            let advance = |at: &mut u64, step: u64| *at = at.wrapping_add(step.wrapping_mul(length.into()));
+            let [inverse_step] = self.quotients.inverse.right;
+            advance(&mut self.inverse, inverse_step);
+            for (numerator, step) in self.numerators.iter_mut().zip(&self.quotients.numerators.right) {
+                advance(numerator, *step);
+            }
+            end = quotients(&self.numerators, weight(self.inverse), &self.of.ranges);
+        }
+        let mut piece = Piece { current: self.start, step: end, left };
+        for ((current, step), base) in piece.current.iter_mut().zip(&mut piece.step).zip(&self.of.bases) {
+            *step = ((*step - *current) << FRACTION) / length.cast_signed().max(1);
             *current = (current.wrapping_add(*base) << FRACTION) + (1 << (FRACTION - 1));
         }
-        if self.rest == 0 {
-            self.piece = Piece { current, step: [0; N], left: 1 };
-            return;
-        }
-        loop {
-            let length = self.rest.min(1 << self.length_log2);
-            let advanced = |at: u64, step: u64| at.wrapping_add(step.wrapping_mul(length.into()));
-            let mut numerators = self.numerators;
-            for (numerator, step) in numerators.iter_mut().zip(&self.steps) {
-                *numerator = advanced(*numerator, *step);
-            }
-            let inverse = advanced(self.inverse, self.inverse_step);
-            let w = whole(inverse).max(1).cast_unsigned();
-            let end = quotients(&numerators, w, &self.of.ranges);
-            let error = self.error(&end, w);
-            let bound = u64::from(w.min(self.start_inverse)).wrapping_mul(u64::from(self.of.tolerance));
-            if length > 1 && error > bound {
-                // To the next power of two below the length.
-                self.length_log2 =
-                    (u32::BITS - 1 - (length - 1).leading_zeros()).min(self.length_log2.saturating_sub(1));
-                continue;
-            }
-            // An error grows as the square of the length.
-            if 4 * error <= bound && self.length_log2 < longest_log2(self.of.tolerance) {
-                self.length_log2 += 1;
-            }
-            let mut step = end;
-            for (step, start) in step.iter_mut().zip(&self.start) {
-                *step = ((*step - *start) << FRACTION) / length.cast_signed().max(1);
-            }
-            self.piece = Piece { current, step, left: length };
-            (self.numerators, self.inverse, self.start, self.start_inverse) = (numerators, inverse, end, w);
-            self.rest -= length;
-            return;
-        }
+        self.start = end;
+        self.rest = self.rest.wrapping_sub(length);
+        piece
     }
 
-    /// How far a line from the current values to those at `end` may be off, times `W`: see the module.
+    /// Goes on in the current piece, or with the next one, as far as it goes. Returns what is left.
     #[inline(always)]
-    fn error(&self, end: &[i32; N], end_inverse: u32) -> u64 {
-        let change = u64::from(end_inverse.abs_diff(self.start_inverse));
-        let largest = end.iter().zip(&self.start).map(|(end, start)| end.abs_diff(*start)).max().unwrap_or(0);
-        (u64::from(largest) * change).div_ceil(4)
+    fn write_piece<'t, T>(&mut self, into: &'t mut [T], write: &mut impl FnMut(&mut T, [i32; N])) -> &'t mut [T] {
+        let mut piece = self.piece;
+        if piece.left == 0 {
+            piece = self.next_piece();
+        }
+        let length = usize::try_from(piece.left).unwrap_or(1).min(into.len());
+        let Some((now, later)) = into.split_at_mut_checked(length) else { return &mut [] };
+        self.piece = piece.after(u32::try_from(length).unwrap_or(0));
+        write_line(piece.current, piece.step, now, write);
+        later
+    }
+}
+
+/// Out of line: next to everything else, there are no registers left for it.
+#[inline(never)]
+fn write_line<T, const N: usize>(
+    current: [i32; N],
+    step: [i32; N],
+    into: &mut [T],
+    write: &mut impl FnMut(&mut T, [i32; N]),
+) {
+    let mut values = current;
+    for item in into {
+        write(item, values.map(|value| value >> FRACTION));
+        for (value, step) in values.iter_mut().zip(&step) {
+            *value = value.wrapping_add(*step);
+        }
     }
 }
 
@@ -315,6 +318,12 @@ fn whole(value: u64) -> i32 {
     #[allow(clippy::cast_possible_truncation, reason = "the upper word")]
     let upper = (value >> 32) as u32;
     upper.cast_signed()
+}
+
+/// `W`, which is not 0.
+#[inline(always)]
+fn weight(inverse: u64) -> u32 {
+    whole(inverse).max(1).cast_unsigned()
 }
 
 /// To the nearest. Numerators are below 2^30 at a centre inside; next to an edge they may be a little below 0. As `w` was
@@ -336,7 +345,7 @@ impl<const N: usize> Iterator for Pieces<'_, N> {
     #[inline]
     fn next(&mut self) -> Option<[i32; N]> {
         if self.piece.left == 0 {
-            self.refill();
+            self.piece = self.next_piece();
         }
         self.piece.left -= 1;
         Some(self.piece.next())
@@ -344,48 +353,62 @@ impl<const N: usize> Iterator for Pieces<'_, N> {
 }
 
 impl<const N: usize> AttributeRow<N> for Pieces<'_, N> {
-    #[inline(never)]
+    #[inline(always)]
     fn write<T>(&mut self, into: &mut [T], mut write: impl FnMut(&mut T, [i32; N])) {
         let mut rest = into;
         while !rest.is_empty() {
-            if self.piece.left == 0 {
-                self.refill();
-            }
-            let left = usize::try_from(self.piece.left).unwrap_or(1);
-            let Some((now, later)) = rest.split_at_mut_checked(left.min(rest.len())) else { return };
-            let written = u32::try_from(now.len()).unwrap_or(0);
-            write_piece(self.piece, now, &mut write);
-            self.piece.skip(written);
-            rest = later;
+            rest = self.write_piece(rest, &mut write);
         }
-    }
-}
-
-#[inline(always)]
-fn write_piece<T, const N: usize>(mut piece: Piece<N>, into: &mut [T], write: &mut impl FnMut(&mut T, [i32; N])) {
-    for item in into {
-        write(item, piece.next());
     }
 }
 
 impl<const N: usize> Quotients<N> {
     #[inline(always)]
-    fn pieces<'p>(&self, of: &'p Perspective<N>, span: &Span) -> Pieces<'p, N> {
-        let numerators = self.numerators.at_column(self.column);
-        let [inverse] = self.inverse.at_column(self.column);
+    fn pieces<'p>(&'p self, of: &'p Perspective<N>, span: &Span) -> Pieces<'p, N> {
+        let at = |column: i32| {
+            let numerators = self.numerators.at_column(column);
+            let [inverse] = self.inverse.at_column(column);
+            (numerators, inverse, quotients(&numerators, weight(inverse), &of.ranges))
+        };
+        let (numerators, inverse, start) = at(self.column);
+        let rest = span.columns.end.wrapping_sub(span.columns.start).cast_unsigned().saturating_sub(1);
+        let (mut last, mut length) = (start, 1);
+        if rest > 0 {
+            let (_, last_inverse, values) = at(span.columns.end.wrapping_sub(1));
+            last = values;
+            let (first, other) = (weight(inverse), weight(last_inverse));
+            let (farthest, w) = if first <= other { (&start, first) } else { (&last, other) };
+            length = self.length(of.tolerance, farthest, w);
+        }
+        let piece = Piece { current: [0; N], step: [0; N], left: 0 };
+        Pieces { of, quotients: self, numerators, inverse, start, last, rest, length, piece }
+    }
+
+    /// How long a piece may be in a row whose least `W` is this, with these values: see the module.
+    #[inline(always)]
+    fn length(&self, tolerance: u32, values: &[i32; N], w: u32) -> u32 {
         let [inverse_step] = self.inverse.right;
-        let w = whole(inverse).max(1).cast_unsigned();
-        Pieces {
-            of,
-            steps: self.numerators.right,
-            inverse_step,
-            start: quotients(&numerators, w, &of.ranges),
-            start_inverse: w,
-            numerators,
-            inverse,
-            rest: span.columns.end.wrapping_sub(span.columns.start).cast_unsigned().saturating_sub(1),
-            length_log2: longest_log2(of.tolerance),
-            piece: Piece { current: [0; N], step: [0; N], left: 0 },
+        // In 1/256. A step from one centre inside to another is less than the numbers are.
+        let change = inverse_step.cast_signed() >> 24;
+        let mut slope = 0;
+        for (step, value) in self.numerators.right.iter().zip(values) {
+            let through = i64::from(*value).wrapping_mul(change) >> 8;
+            slope = slope.max(i64::from(whole(*step)).wrapping_sub(through).unsigned_abs());
+        }
+        let change = change.unsigned_abs().wrapping_add(1);
+        // Values are whole numbers, and so off by a half.
+        let slope = slope.wrapping_add(change >> 8).wrapping_add(2);
+        let error = slope.wrapping_mul(change);
+        let bound = u64::from(w).wrapping_mul(w.into()).wrapping_mul(u64::from(tolerance) << 10);
+        // Of h^2 error <= bound, h a power of two or one and a half of it.
+        let fours = error.leading_zeros().saturating_sub(bound.leading_zeros()).div_ceil(2).min(LONGEST_LOG2);
+        let fits = |fours: u32| error <= bound >> (2 * fours);
+        let fours = if fits(fours) { fours } else { fours.saturating_sub(1) };
+        let power = 1 << fours;
+        if fours < LONGEST_LOG2 && fours > 0 && error.wrapping_mul(9) / 4 <= bound >> (2 * fours) {
+            power + power / 2
+        } else {
+            power
         }
     }
 }
