@@ -133,7 +133,7 @@ fn over_wide(product: i128, area: Reciprocal) -> u64 {
 
 #[inline(always)]
 #[allow(clippy::cast_possible_truncation, reason = "the lower word is wanted")]
-fn low_word(value: u64) -> u32 {
+pub(crate) fn low_word(value: u64) -> u32 {
     value as u32
 }
 
@@ -177,10 +177,22 @@ impl<const N: usize> BinaryPlanes<N> {
         self.column
     }
 
-    /// Goes to a row, in the same column.
     #[inline(always)]
-    pub(crate) fn go_down_to(&mut self, row: i32) {
-        self.go_to(row, self.column);
+    pub(crate) fn row(&self) -> i32 {
+        self.row
+    }
+
+    /// Goes down in the same column, most often by one row.
+    #[inline(always)]
+    pub(crate) fn go_down(&mut self, rows: i32) {
+        self.row = self.row.wrapping_add(rows);
+        if rows == 1 {
+            for (at, down) in self.at.iter_mut().zip(&self.down) {
+                *at = at.wrapping_add(*down);
+            }
+        } else {
+            self.move_by(rows, 0);
+        }
     }
 
     /// The values in a column of the current row.
@@ -198,14 +210,11 @@ impl<const N: usize> BinaryPlanes<N> {
     #[inline(always)]
     pub(crate) fn go_to(&mut self, row: i32, column: i32) {
         let (rows, columns) = (row.wrapping_sub(self.row), column.wrapping_sub(self.column));
-        (self.row, self.column) = (row, column);
-        if rows == 1 && columns == 0 {
-            for (at, down) in self.at.iter_mut().zip(&self.down) {
-                *at = at.wrapping_add(*down);
-            }
-        } else {
-            self.move_by(rows, columns);
+        if columns != 0 {
+            self.column = column;
+            self.move_by(0, columns);
         }
+        self.go_down(rows);
     }
 
     #[inline(never)]

@@ -27,7 +27,7 @@ use crate::{
     attribute::{
         AttributeRow, AttributeSink, Attributes,
         affine::depth,
-        binary::{BinaryPlanes, Product},
+        binary::{BinaryPlanes, Product, low_word},
         plane::{Planes, Word},
         walk::{Follow, Oriented, walk},
     },
@@ -102,7 +102,7 @@ pub struct Perspective<const N: usize> {
 /// Bits of the largest `W`, at most.
 const INVERSE_BITS: u32 = 16;
 /// What no value is off by anyway.
-const HIGHEST_TOLERANCE: u32 = 1 << 22;
+const HIGHEST_TOLERANCE: u32 = (1 << 22) - 1;
 /// How far values may be from 0.
 const VALUE_REACH: i32 = 1 << 21;
 
@@ -175,6 +175,7 @@ fn far<const N: usize>(oriented: &Oriented, numerators: &[[i32; N]; 3], inverses
 struct Quotients<const N: usize> {
     numerators: BinaryPlanes<N>,
     inverse: BinaryPlanes<1>,
+    row: i32,
     column: i32,
 }
 
@@ -187,7 +188,7 @@ impl<const N: usize> Quotients<N> {
         for at in numerators.at.iter_mut().chain(&mut inverse.at) {
             *at = at.wrapping_add(1 << 31);
         }
-        Self { column: inverse.column(), numerators, inverse }
+        Self { row: inverse.row(), column: inverse.column(), numerators, inverse }
     }
 }
 
@@ -195,9 +196,10 @@ impl<const N: usize> Follow for Quotients<N> {
     /// Rows go down in the column of the first vertex.
     #[inline(always)]
     fn go_to(&mut self, row: i32, column: i32) {
-        self.numerators.go_down_to(row);
-        self.inverse.go_down_to(row);
-        self.column = column;
+        let rows = row.wrapping_sub(self.row);
+        self.numerators.go_down(rows);
+        self.inverse.go_down(rows);
+        (self.row, self.column) = (row, column);
     }
 }
 
@@ -229,7 +231,7 @@ struct Piece<const N: usize> {
 
 const FRACTION: u32 = 8;
 /// Pieces have 64 pixels at most.
-const LONGEST_LOG2: u32 = 6;
+const LONGEST: u32 = 64;
 
 impl<const N: usize> Piece<N> {
     #[inline(always)]
@@ -315,9 +317,7 @@ fn write_line<T, const N: usize>(
 /// The whole part of a plane's value.
 #[inline(always)]
 fn whole(value: u64) -> i32 {
-    #[allow(clippy::cast_possible_truncation, reason = "the upper word")]
-    let upper = (value >> 32) as u32;
-    upper.cast_signed()
+    low_word(value >> 32).cast_signed()
 }
 
 /// `W`, which is not 0.
@@ -388,28 +388,30 @@ impl<const N: usize> Quotients<N> {
     #[inline(always)]
     fn length(&self, tolerance: u32, values: &[i32; N], w: u32) -> u32 {
         let [inverse_step] = self.inverse.right;
-        // In 1/256. A step from one centre inside to another is less than the numbers are.
-        let change = inverse_step.cast_signed() >> 24;
+        // In 1/256: between two centres inside, `W` changes by less than 2^16, and `s W` by less than 2^30.
+        let change = low_word(inverse_step >> 24).cast_signed();
         let mut slope = 0;
         for (step, value) in self.numerators.right.iter().zip(values) {
-            let through = i64::from(*value).wrapping_mul(change) >> 8;
-            slope = slope.max(i64::from(whole(*step)).wrapping_sub(through).unsigned_abs());
+            let through = low_word((i64::from(*value).wrapping_mul(change.into()) >> 8).cast_unsigned());
+            slope = slope.max(whole(*step).wrapping_sub(through.cast_signed()).unsigned_abs());
         }
         let change = change.unsigned_abs().wrapping_add(1);
         // Values are whole numbers, and so off by a half.
         let slope = slope.wrapping_add(change >> 8).wrapping_add(2);
-        let error = slope.wrapping_mul(change);
-        let bound = u64::from(w).wrapping_mul(w.into()).wrapping_mul(u64::from(tolerance) << 10);
-        // Of h^2 error <= bound, h a power of two or one and a half of it.
-        let fours = error.leading_zeros().saturating_sub(bound.leading_zeros()).div_ceil(2).min(LONGEST_LOG2);
-        let fits = |fours: u32| error <= bound >> (2 * fours);
-        let fours = if fits(fours) { fours } else { fours.saturating_sub(1) };
-        let power = 1 << fours;
-        if fours < LONGEST_LOG2 && fours > 0 && error.wrapping_mul(9) / 4 <= bound >> (2 * fours) {
-            power + power / 2
-        } else {
-            power
+        let error = u64::from(slope).wrapping_mul(change.into());
+        let bound = u64::from(w.wrapping_mul(w)).wrapping_mul(u64::from(tolerance << 10));
+        // The largest h of h^2 error <= bound.
+        // In 20 bits, which leaves twelve for the quotient.
+        let unit = (u64::BITS - 20).saturating_sub(error.leading_zeros());
+        let error = low_word(error >> unit).wrapping_add(1);
+        let square = u32::try_from(bound >> unit).unwrap_or(u32::MAX) / error.max(1);
+        if square >= LONGEST * LONGEST {
+            return LONGEST;
         }
+        // A chord of the root, below it.
+        let log2 = (31 - (square | 1).leading_zeros()) / 2;
+        let power = 1 << log2;
+        power + ((square.saturating_sub(power << log2)) * 85 >> 8 >> log2)
     }
 }
 
