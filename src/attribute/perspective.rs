@@ -244,13 +244,11 @@ impl<const N: usize> Piece<N> {
     }
 
     /// Past some that are left.
-    #[inline(always)]
-    fn after(mut self, count: u32) -> Self {
+    fn after(mut self, count: usize) -> Self {
+        let count = u32::try_from(count).unwrap_or(0);
         self.left = self.left.saturating_sub(count);
-        if self.left > 0 {
-            for (current, step) in self.current.iter_mut().zip(&self.step) {
-                *current = current.wrapping_add(step.wrapping_mul(count.cast_signed()));
-            }
+        for (current, step) in self.current.iter_mut().zip(&self.step) {
+            *current = current.wrapping_add(step.wrapping_mul(count.cast_signed()));
         }
         self
     }
@@ -264,12 +262,7 @@ impl<const N: usize> Pieces<'_, N> {
         if self.rest > self.length {
             length = self.length;
             left = length;
-            let advance = |at: &mut u64, step: u64| *at = at.wrapping_add(step.wrapping_mul(length.into()));
-            let [inverse_step] = self.quotients.inverse.right;
-            advance(&mut self.inverse, inverse_step);
-            for (numerator, step) in self.numerators.iter_mut().zip(&self.quotients.numerators.right) {
-                advance(numerator, *step);
-            }
+            (self.numerators, self.inverse) = self.quotients.advanced(self.numerators, self.inverse, length);
             end = quotients(&self.numerators, weight(self.inverse), &self.of.ranges);
         }
         let mut piece = Piece { current: self.start, step: end, left };
@@ -289,9 +282,13 @@ impl<const N: usize> Pieces<'_, N> {
         if piece.left == 0 {
             piece = self.next_piece();
         }
-        let length = usize::try_from(piece.left).unwrap_or(1).min(into.len());
+        let left = usize::try_from(piece.left).unwrap_or(1);
+        let length = left.min(into.len());
         let Some((now, later)) = into.split_at_mut_checked(length) else { return &mut [] };
-        self.piece = piece.after(u32::try_from(length).unwrap_or(0));
+        self.piece.left = 0;
+        if length < left {
+            self.piece = piece.after(length);
+        }
         write_line(piece.current, piece.step, now, write);
         later
     }
@@ -365,23 +362,32 @@ impl<const N: usize> AttributeRow<N> for Pieces<'_, N> {
 impl<const N: usize> Quotients<N> {
     #[inline(always)]
     fn pieces<'p>(&'p self, of: &'p Perspective<N>, span: &Span) -> Pieces<'p, N> {
-        let at = |column: i32| {
-            let numerators = self.numerators.at_column(column);
-            let [inverse] = self.inverse.at_column(column);
-            (numerators, inverse, quotients(&numerators, weight(inverse), &of.ranges))
-        };
-        let (numerators, inverse, start) = at(self.column);
+        let numerators = self.numerators.at_column(self.column);
+        let [inverse] = self.inverse.at_column(self.column);
+        let first = weight(inverse);
+        let start = quotients(&numerators, first, &of.ranges);
         let rest = span.columns.end.wrapping_sub(span.columns.start).cast_unsigned().saturating_sub(1);
         let (mut last, mut length) = (start, 1);
         if rest > 0 {
-            let (_, last_inverse, values) = at(span.columns.end.wrapping_sub(1));
-            last = values;
-            let (first, other) = (weight(inverse), weight(last_inverse));
-            let (farthest, w) = if first <= other { (&start, first) } else { (&last, other) };
+            let (numerators, inverse) = self.advanced(numerators, inverse, rest);
+            let w = weight(inverse);
+            last = quotients(&numerators, w, &of.ranges);
+            let (farthest, w) = if first <= w { (&start, first) } else { (&last, w) };
             length = self.length(of.tolerance, farthest, w);
         }
         let piece = Piece { current: [0; N], step: [0; N], left: 0 };
         Pieces { of, quotients: self, numerators, inverse, start, last, rest, length, piece }
+    }
+
+    /// The planes so many columns to the right.
+    #[inline(always)]
+    fn advanced(&self, mut numerators: [u64; N], inverse: u64, columns: u32) -> ([u64; N], u64) {
+        let advanced = |at: u64, step: u64| at.wrapping_add(step.wrapping_mul(columns.into()));
+        for (numerator, step) in numerators.iter_mut().zip(&self.numerators.right) {
+            *numerator = advanced(*numerator, *step);
+        }
+        let [inverse_step] = self.inverse.right;
+        (numerators, advanced(inverse, inverse_step))
     }
 
     /// How long a piece may be in a row whose least `W` is this, with these values: see the module.
