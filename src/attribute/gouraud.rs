@@ -110,7 +110,8 @@ impl<C: PixelColor> Gouraud<C> {
         }
         let clip = PixelRect::from(target.bounding_box());
         let Some(oriented) = Oriented::new(&self.triangle) else { return Ok(()) };
-        match oriented.narrow(&self.colours.map(C::channels)) {
+        // Channels are close.
+        match oriented.near() {
             Some(area) => self.rows(&oriented, area, &clip, target),
             None => self.rows(&oriented, oriented.area, &clip, target),
         }
