@@ -182,19 +182,6 @@ impl<const N: usize> BinaryPlanes<N> {
         self.row
     }
 
-    /// Goes down in the same column, most often by one row.
-    #[inline(always)]
-    pub(crate) fn go_down(&mut self, rows: i32) {
-        self.row = self.row.wrapping_add(rows);
-        if rows == 1 {
-            for (at, down) in self.at.iter_mut().zip(&self.down) {
-                *at = at.wrapping_add(*down);
-            }
-        } else {
-            self.move_by(rows, 0);
-        }
-    }
-
     /// The values in a column of the current row.
     #[inline(always)]
     pub(crate) fn at_column(&self, column: i32) -> [u64; N] {
@@ -210,15 +197,24 @@ impl<const N: usize> BinaryPlanes<N> {
     #[inline(always)]
     pub(crate) fn go_to(&mut self, row: i32, column: i32) {
         let (rows, columns) = (row.wrapping_sub(self.row), column.wrapping_sub(self.column));
-        if columns != 0 {
-            self.column = column;
-            self.move_by(0, columns);
+        (self.row, self.column) = (row, column);
+        self.move_by(rows, columns);
+    }
+
+    /// Most often by one row.
+    #[inline(always)]
+    pub(crate) fn move_by(&mut self, rows: i32, columns: i32) {
+        if rows == 1 && columns == 0 {
+            for (at, down) in self.at.iter_mut().zip(&self.down) {
+                *at = at.wrapping_add(*down);
+            }
+        } else {
+            self.leap(rows, columns);
         }
-        self.go_down(rows);
     }
 
     #[inline(never)]
-    fn move_by(&mut self, rows: i32, columns: i32) {
+    fn leap(&mut self, rows: i32, columns: i32) {
         let (rows, columns) = (i64::from(rows).cast_unsigned(), i64::from(columns).cast_unsigned());
         for (at, (right, down)) in self.at.iter_mut().zip(self.right.iter().zip(&self.down)) {
             *at = at.wrapping_add(down.wrapping_mul(rows)).wrapping_add(right.wrapping_mul(columns));

@@ -197,8 +197,8 @@ impl<const N: usize> Follow for Quotients<N> {
     #[inline(always)]
     fn go_to(&mut self, row: i32, column: i32) {
         let rows = row.wrapping_sub(self.row);
-        self.numerators.go_down(rows);
-        self.inverse.go_down(rows);
+        self.numerators.move_by(rows, 0);
+        self.inverse.move_by(rows, 0);
         (self.row, self.column) = (row, column);
     }
 }

@@ -22,7 +22,7 @@ pub(crate) struct Oriented {
 
 impl Oriented {
     /// None for a triangle without area, which has no pixels.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn new(triangle: &Triangle) -> Option<Self> {
         let [a, b, c] = triangle.vertices;
         // Values near the top one, where the walk begins, have short numerators.
@@ -39,7 +39,7 @@ impl Oriented {
     }
 
     /// The values of the vertices, in the same order.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn ordered<T: Copy>(&self, values: &[T; 3]) -> [T; 3] {
         let [first, ..] = *values;
         self.order.map(|index| values.get(index).copied().unwrap_or(first))
