@@ -178,20 +178,16 @@ impl Sorted {
         let (from, to) = if first < turn { (self.top, self.middle) } else { (self.middle, self.bottom) };
         let short = Edge::on_first_row(from, to, first);
         let (mut left, mut right) = if middle_is_right { (long, short) } else { (short, long) };
-        let mut row = first;
-        loop {
+        for row in first..end {
             each_row(row, left.column..right.column)?;
-            row = row.wrapping_add(1);
-            if row == end {
-                return Ok(());
-            }
             left.step();
             right.step();
-            if row == turn {
+            if row.wrapping_add(1) == turn {
                 let lower = Edge::on_first_row(self.middle, self.bottom, turn);
                 *(if middle_is_right { &mut right } else { &mut left }) = lower;
             }
         }
+        Ok(())
     }
 
     #[inline(always)]
