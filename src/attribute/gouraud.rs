@@ -20,8 +20,8 @@ use crate::{
 
 /// Every channel is stepped by itself: the level that is nearest to the exact one.
 pub const EXACT: bool = false;
-/// Channels share words: a level within 1/2 + 1/32 of the exact one, in half the instructions. For colours of 15 or 16
-/// bits.
+/// Channels share a word: a level within 1/2 + 1/32 of the exact one, in little more than half the instructions. For colours of
+/// 15 or 16 bits.
 pub const PACKED: bool = true;
 
 /// A triangle whose colour varies linearly between those of its vertices.
@@ -44,7 +44,9 @@ pub const PACKED: bool = true;
 ///
 /// # Cost
 ///
-/// Each channel is an attribute: see [`Affine`]. Packed, two additions a pixel for three channels.
+/// Each channel is an attribute: see [`Affine`]. Packed, one addition of 64 bits a pixel for three channels, and one division of 32
+/// bits for the whole triangle, however large it is. On a Cortex-M4, that is little more than half the instructions of exact
+/// channels.
 ///
 /// # Examples
 ///

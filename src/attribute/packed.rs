@@ -6,8 +6,8 @@
 //! ```
 //!
 //! One addition steps all three: the word is an integer, linear in the column, and a carry out of a channel is part of the next
-//! one's own fraction. Blue lies where the lower half carries into the upper one, red at the upper end: on processors with
-//! 32 bits a pixel is two shifts, two bit-field insertions, the two halves of the addition and the store.
+//! one's own fraction. Blue lies where the lower half carries into the upper one, so that it needs no shift: on processors of
+//! 32 bits, eight instructions a pixel.
 //!
 //! Words begin at columns that are multiples of 256, whatever the clip, and at 2^-13 of a level from the exact one at most; each
 //! step is off by half of that. After 255 of them the error is at most `2^-13 + 255 2^-14`, and what

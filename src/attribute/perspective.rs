@@ -16,7 +16,9 @@
 //!     |s1 - s0| |sqrt(r) - 1| / (sqrt(r) + 1)  <=  |s1 - s0| |W1 - W0| / (4 min(W0, W1)),   r = W1 / W0
 //!   ```
 //!
-//!   Pieces are 16, 8, 4, 2 or 1 pixels long, by what of that stays within the tolerance: a division a piece.
+//!   Along a row, `ds/dx = K / W^2` with one `K`, so over pieces of `h` pixels it is at most `h^2 |ds/dx| |dW/dx| / (4 W)`,
+//!   both taken at the end of the row whose `W` is less. All pieces of a row have the largest `h` for which that stays
+//!   within the tolerance, 64 at most: a division a row, and one for each attribute and piece.
 //! - Interpolated `W` are whole numbers again: half of one is at most 1/8 texel of 64 where `W` is 256.
 //! - Quotients are rounded to whole units, and steps within a piece to `2^-8` of one: two units more at most.
 
@@ -69,8 +71,8 @@ impl core::error::Error for NotInFront {}
 ///
 /// # Cost
 ///
-/// `N` divisions for each 16 pixels, or each 8, 4, 2 or 1 where that is not near enough. Two additions for each
-/// attribute and pixel. See [`Affine`](crate::Affine) for the planes.
+/// `N` divisions of 32 bits for up to 64 pixels, or as many as are near enough. Two instructions for each attribute and pixel. No
+/// division but one for the area sets up the planes, whatever their size.
 ///
 /// # Examples
 ///
