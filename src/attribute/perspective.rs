@@ -419,7 +419,7 @@ impl<const N: usize> Quotients<N> {
         // A chord of the root, below it.
         let log2 = (31 - (square | 1).leading_zeros()) / 2;
         let power = 1 << log2;
-        power + ((square.saturating_sub(power << log2)) * 85 >> 8 >> log2)
+        power + ((square.saturating_sub(power << log2) * 85) >> (8 + log2))
     }
 }
 
