@@ -178,16 +178,20 @@ impl Sorted {
         let (from, to) = if first < turn { (self.top, self.middle) } else { (self.middle, self.bottom) };
         let short = Edge::on_first_row(from, to, first);
         let (mut left, mut right) = if middle_is_right { (long, short) } else { (short, long) };
-        for row in first..end {
+        let mut row = first;
+        loop {
             each_row(row, left.column..right.column)?;
+            row = row.wrapping_add(1);
+            if row == end {
+                return Ok(());
+            }
             left.step();
             right.step();
-            if row.wrapping_add(1) == turn {
+            if row == turn {
                 let lower = Edge::on_first_row(self.middle, self.bottom, turn);
                 *(if middle_is_right { &mut right } else { &mut left }) = lower;
             }
         }
-        Ok(())
     }
 
     #[inline(always)]
@@ -220,13 +224,8 @@ impl Sorted {
     fn walk_any<S: BlockSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
         let mut block = OpenBlock::new();
         self.rows_any(clip, |row, columns| block.row(row, columns, sink))?;
-        let [.., end] = self.rows_in(clip);
+        let [.., end] = self.rows().map(|row| row.min(clip.rows.end).max(clip.rows.start));
         block.finish(end, sink)
-    }
-
-    #[inline(always)]
-    fn rows_in(&self, clip: &PixelRect) -> [i32; 3] {
-        self.rows().map(|row| row.min(clip.rows.end).max(clip.rows.start))
     }
 
     /// For every coordinate and clip there is. Which edge is the left one is seen from the columns.
@@ -237,7 +236,7 @@ impl Sorted {
         mut each_row: impl FnMut(i32, Range<i32>) -> Result<(), E>,
     ) -> Result<(), E> {
         let Self { top, middle, bottom } = *self;
-        let [first, turn, end] = self.rows_in(clip);
+        let [first, turn, end] = self.rows().map(|row| row.min(clip.rows.end).max(clip.rows.start));
         if first == end {
             return Ok(());
         }
