@@ -206,6 +206,47 @@ fn the_middle_of_the_notes_example_is_four_and_a_half() {
     }
 }
 
+/// Triangles from one end of the coordinates to the other, seen through a window in the middle and at each corner.
+#[test]
+fn vertices_at_the_ends_of_the_range() {
+    let (low, high) = (i32::MIN, i32::MAX);
+    let corners = [[low, low], [high, low], [high, high], [low, high], [0, low], [high, 1], [-3, 5]];
+    let far = 1 << 23;
+    for_each_case(0xA779, cases(400), |rng| {
+        let vertices = [(); 3].map(|()| rng.pick(&corners)).map(|[x, y]| Vertex::from_bits(x, y));
+        let triangle = Triangle::from_vertices(vertices);
+        let near = |middle: i32| (middle - 8).max(-far)..(middle + 8).min(far);
+        let clip = PixelRect { rows: near(rng.pick(&[-far, 0, far])), columns: near(rng.pick(&[-far, 0, far])) };
+        let area = Rectangle::from(clip.clone());
+        let values = [(); 3].map(|()| [value(rng)]);
+        let texels = [(); 3].map(|()| [rng.int(0..=64 * 256) as i32]);
+        let colours = [(); 3].map(|()| Rgb565::new(rng.int(0..=31) as u8, rng.int(0..=63) as u8, 7));
+        let seen = Perspective::new(triangle, texels, [1, 2, 3]).expect("in front");
+        let (found, seen) = (pixels(&Affine::new(triangle, values), &clip)?, pixels(&seen, &clip)?);
+        let mut packed = Memory::new(area, Rgb565::BLACK);
+        Gouraud::packed(triangle, colours).draw(&mut packed).expect("infallible");
+        for at in span_pixels(&triangle, &clip).into_iter().map(|(column, row)| (row, column)) {
+            let (parts, sum) = areas(&triangle, at);
+            let mean = |values: [i128; 3]| (0..3).map(|vertex| parts[vertex] * values[vertex]).sum::<i128>();
+            if i128::from(found[&at][0]) != nearest(mean(values.map(|[value]| value.into())), sum) {
+                return Err(format!("{at:?} of {triangle:?} {values:?}"));
+            }
+            let green = i128::from(packed.at(Point::new(at.1, at.0)).g());
+            if 32 * (green * sum - mean(colours.map(|colour| colour.g().into()))).abs() > 17 * sum {
+                return Err(format!("packed {at:?} of {triangle:?} {colours:?}"));
+            }
+            // Over the common denominator of the three 1/w.
+            let weights = [6 * parts[0], 3 * parts[1], 2 * parts[2]];
+            let sum: i128 = weights.iter().sum();
+            let exact: i128 = (0..3).map(|vertex| weights[vertex] * i128::from(texels[vertex][0])).sum();
+            if (i128::from(seen[&at][0]) * sum - exact).abs() > 128 * sum {
+                return Err(format!("seen {at:?} of {triangle:?} {texels:?}"));
+            }
+        }
+        Ok(1)
+    });
+}
+
 #[test]
 fn vertices_behind_the_eye_are_refused() {
     let triangle = Triangle::new(Point::new(0, 0), Point::new(9, 0), Point::new(0, 9));
@@ -418,6 +459,85 @@ mod depth {
         });
     }
 
+    /// Less, less or equal, always, each with and without writing, on every kind of target, with few depths that are often equal.
+    #[test]
+    fn every_test_draws_what_passes_and_keeps_what_it_should() {
+        let frame = Rectangle::new(Point::new(2, -3), Size::new(40, 30));
+        let plain = [DepthTest::LESS, DepthTest::LESS_OR_EQUAL, DepthTest::ALWAYS];
+        for_each_case(0xA77A, cases(300), |rng| {
+            let scene: [_; 5] = std::array::from_fn(|index| {
+                let mut vertex = || Vertex::from_bits(rng.int(-999..=12000) as i32, rng.int(-999..=9000) as i32);
+                let triangle = Triangle::from_vertices([vertex(), vertex(), vertex()]);
+                let (which, writes) = (rng.index(3), rng.one_in(2));
+                let test = if writes { plain[which] } else { plain[which].without_writing() };
+                (
+                    triangle,
+                    [(); 3].map(|()| rng.int(7..=9) as u16),
+                    (which, writes, test),
+                    Rgb565::new(index as u8, 9, 9),
+                )
+            });
+            let size = (frame.size.width * frame.size.height) as usize;
+            let (mut expected, mut expected_depths) = (vec![Rgb565::BLACK; size], vec![8_u16; size]);
+            for (triangle, depths, (which, writes, _), colour) in &scene {
+                for (x, y) in span_pixels(triangle, &PixelRect::from(frame)) {
+                    let (parts, sum) = areas(triangle, (y, x));
+                    let depth = nearest((0..3).map(|v| parts[v] * i128::from(depths[v])).sum(), sum) as u16;
+                    let index = (y + 3) as usize * 40 + (x - 2) as usize;
+                    let kept = &mut expected_depths[index];
+                    if [depth < *kept, depth <= *kept, true][*which] {
+                        expected[index] = *colour;
+                        if *writes {
+                            *kept = depth;
+                        }
+                    }
+                }
+            }
+            for rows in [false, true] {
+                let (mut target, mut memory) = (Memory::new(frame, Rgb565::BLACK), vec![8; size]);
+                let mut buffer = DepthBuffer::new(frame, 40, &mut memory).expect("large enough");
+                for (triangle, depths, (_, _, test), colour) in &scene {
+                    let tested = Affine::new(*triangle, [[], [], []]).shaded(|[]| *colour).depth_tested(*depths, *test);
+                    if rows {
+                        tested.draw_on(&mut target, &mut buffer);
+                    } else {
+                        tested.draw(&mut target, &mut buffer).expect("infallible");
+                    }
+                }
+                if target.pixels != expected || memory != expected_depths {
+                    return Err(format!("rows {rows}: {scene:?}"));
+                }
+            }
+            Ok(1)
+        });
+    }
+
+    /// A buffer of a part of the target, and of another stride: nothing outside is drawn, nor a depth between the rows.
+    #[test]
+    fn what_the_buffer_does_not_know_is_left_alone() {
+        let frame = Rectangle::new(Point::zero(), Size::new(40, 30));
+        let part = Rectangle::new(Point::new(11, -5), Size::new(13, 20));
+        let triangle = Triangle::new(Point::new(-5, -5), Point::new(90, -5), Point::new(-5, 90));
+        for rows in [false, true] {
+            let (mut target, mut memory) = (Memory::new(frame, Rgb565::BLACK), vec![u16::MAX; 17 * 20]);
+            let mut buffer = DepthBuffer::new(part, 17, &mut memory).expect("large enough");
+            let white = Affine::new(triangle, [[], [], []]).shaded(|[]| Rgb565::WHITE);
+            let tested = white.depth_tested([5; 3], DepthTest::LESS);
+            if rows {
+                tested.draw_on(&mut target, &mut buffer);
+            } else {
+                tested.draw(&mut target, &mut buffer).expect("infallible");
+            }
+            for point in frame.points() {
+                assert_eq!(target.at(point) == Rgb565::WHITE, part.contains(point), "{point}");
+            }
+            for (index, depth) in memory.into_iter().enumerate() {
+                // Rows above the target are not drawn.
+                assert_eq!(depth == 5, index % 17 < 13 && index / 17 >= 5, "{index}");
+            }
+        }
+    }
+
     #[test]
     fn tests_are_what_they_say() {
         for (test, passing) in
@@ -479,6 +599,56 @@ mod texture {
                     + (texel(x, y + 1) * (1.0 - u) + texel(x + 1, y + 1) * u) * v;
                 let found = f64::from(texture.sample([s, t]).unwrap().luma());
                 assert!((found - exact).abs() <= 1.6, "{found} in place of {exact} at {s} {t}");
+            }
+        }
+    }
+
+    /// A picture of a size and at a place of its own.
+    struct Placed(Rectangle);
+
+    impl Dimensions for Placed {
+        fn bounding_box(&self) -> Rectangle {
+            self.0
+        }
+    }
+
+    impl embedded_graphics::image::GetPixel for Placed {
+        type Color = Gray8;
+
+        fn pixel(&self, point: Point) -> Option<Gray8> {
+            let at = point - self.0.top_left;
+            self.0.contains(point).then(|| Gray8::new((31 * at.x + 50 * at.y) as u8))
+        }
+    }
+
+    /// Whatever its sides and wherever its corner: a mask, a division or an end of a row give the same.
+    #[test]
+    fn any_picture_is_wrapped_clamped_and_mixed() {
+        for corner in [Point::zero(), Point::new(-5, 7), Point::new(0, 3)] {
+            for (width, height) in [(4, 2), (3, 2), (4, 3), (1, 1), (8, 1)] {
+                for wrap in [Wrap::Repeat, Wrap::Clamp] {
+                    let picture = || Placed(Rectangle::new(corner, Size::new(width as u32, height as u32)));
+                    let near = Texture::new(picture(), wrap, Filter::Nearest).unwrap();
+                    let mixed = Texture::new(picture(), wrap, Filter::Bilinear).unwrap();
+                    let of = |at: i32, side: i32| match wrap {
+                        Wrap::Repeat => at.rem_euclid(side),
+                        Wrap::Clamp => at.clamp(0, side - 1),
+                    };
+                    let texel = |x: i32, y: i32| 31 * of(x, width) + 50 * of(y, height);
+                    for s in (-2600..2600).step_by(37) {
+                        for t in (-1000..1000).step_by(41) {
+                            let found = near.texel([s, t]).unwrap();
+                            assert_eq!(i32::from(found.luma()), texel(s.div_euclid(256), t.div_euclid(256)));
+                            let (x, y) = ((s - 128).div_euclid(256), (t - 128).div_euclid(256));
+                            let (u, v) = (s - 128 - 256 * x, t - 128 - 256 * y);
+                            let above = texel(x, y) * (256 - u) + texel(x + 1, y) * u;
+                            let below = texel(x, y + 1) * (256 - u) + texel(x + 1, y + 1) * u;
+                            let exact = f64::from(above * (256 - v) + below * v) / 65536.0;
+                            let found = f64::from(mixed.sample([s, t]).unwrap().luma());
+                            assert!((found - exact).abs() <= 1.6, "{found} in place of {exact} at {s} {t}");
+                        }
+                    }
+                }
             }
         }
     }

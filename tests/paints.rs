@@ -187,6 +187,85 @@ fn gradients_are_exact_to_a_level() {
     });
 }
 
+/// A ramp along a line and around a point against rationals, from one end of the coordinates to the other: the nearest
+/// level, or the next to it.
+#[test]
+fn ramps_are_exact_rationals() {
+    let ends = |rng: &mut oracle::Rng| -> [i32; 2] {
+        if rng.one_in(4) {
+            [rng.pick(&[i32::MIN, i32::MAX, 0, -1]), rng.pick(&[i32::MIN, i32::MAX, 0, 1])]
+        } else {
+            [rng.int(-20_000..=30_000) as i32, rng.int(-20_000..=30_000) as i32]
+        }
+    };
+    for_each_case(0x9A1D, cases(1_500), |rng| {
+        let (start, end) = (ends(rng), ends(rng));
+        let [first, last] = [(); 2].map(|()| rng.int(0..=255));
+        let stops = [Stop::new(0, Gray8::new(first as u8)), Stop::new(65536, Gray8::new(last as u8))];
+        let stops = Stops::new(&stops, Spread::Pad).expect("sorted");
+        let difference = |a: [i32; 2], b: [i32; 2]| [0, 1].map(|axis| i128::from(b[axis]) - i128::from(a[axis]));
+        let d = difference(start, end);
+        let square = d[0] * d[0] + d[1] * d[1];
+        if square == 0 {
+            return Ok(0);
+        }
+        let [from, to] = [start, end].map(|[x, y]| Vertex::from_bits(x, y));
+        let radius = (rng.int(1..=i64::from(i32::MAX)) >> rng.int(0..=24)).max(1);
+        let (mut line, mut disc) = (Memory::new(Gray8::BLACK), Memory::new(Gray8::BLACK));
+        whole().painted(LinearGradient::new(from, to, stops)).draw(&mut line).expect("infallible");
+        let around = RadialGradient::new(from, spanfill::I24F8::from_bits(radius as i32), stops);
+        whole().painted(around).draw(&mut disc).expect("infallible");
+        let (first, last) = (i128::from(first), i128::from(last));
+        for y in 0..SIDE as i32 {
+            for x in 0..SIDE as i32 {
+                let p = difference(start, [256 * x + 128, 256 * y + 128]);
+                // The place is `along / square`.
+                let along = (p[0] * d[0] + p[1] * d[1]).clamp(0, square);
+                let found = i128::from(line.at(x, y).luma());
+                if ((found - first) * square - (last - first) * along).abs() >= square {
+                    return Err(format!("line: {found} at {x} {y}, {start:?} {end:?}, {first} to {last}"));
+                }
+                // The place is the root of `distance / radius^2`; the level before and after is on the other side of it.
+                let radius = i128::from(radius);
+                let distance = (p[0] * p[0] + p[1] * p[1]).min(radius * radius);
+                let found = i128::from(disc.at(x, y).luma());
+                let (rise, level) = ((last - first).abs(), (found - first) * (last - first).signum());
+                // `level - 1 < rise * root(distance) / radius < level + 1`.
+                let below = |level: i128| level <= 0 || level * level * radius * radius < rise * rise * distance;
+                let above = |level: i128| level * level * radius * radius > rise * rise * distance;
+                if !(below(level - 1) && above(level + 1)) && rise > 0 || rise == 0 && found != first {
+                    return Err(format!("disc: {found} at {x} {y}, {start:?} {radius}, {first} to {last}"));
+                }
+            }
+        }
+        Ok(1)
+    });
+}
+
+/// The same in the three channels of a colour of few steps.
+#[test]
+fn dithers_of_colours_have_the_mean_of_each_channel() {
+    let ends = [Rgb565::new(3, 60, 9), Rgb565::new(4, 10, 9)];
+    let stops = [Stop::new(0, ends[0]), Stop::new(65536, ends[1])];
+    let stops = Stops::new(&stops, Spread::Pad).unwrap().dithered();
+    let mut target = Memory::new(Rgb565::BLACK);
+    whole().painted(LinearGradient::new(Vertex::new(0, 0), Vertex::new(0, 48), stops)).draw(&mut target).unwrap();
+    // Over all 48 rows and columns, each 8 x 8 of them once: half way between the ends, to 1/64 of a step.
+    let mean = |channel: fn(&Rgb565) -> u8| {
+        target.0.iter().map(|colour| f64::from(channel(colour))).sum::<f64>() / (SIDE * SIDE) as f64
+    };
+    for (found, expected) in [(mean(Rgb565::r), 3.5), (mean(Rgb565::g), 35.0), (mean(Rgb565::b), 9.0)] {
+        assert!((found - expected).abs() <= 1.0 / 32.0, "{found} in place of {expected}");
+    }
+    // A step is never more than one off.
+    for y in 0..48 {
+        let green = 60.0 - 50.0 * (f64::from(y) + 0.5) / 48.0;
+        for x in 0..48 {
+            assert!((f64::from(target.at(x, y).g()) - green).abs() < 1.02);
+        }
+    }
+}
+
 #[test]
 fn gradients_of_no_length_have_the_last_colour() {
     let stops = [Stop::new(0, Gray8::new(10)), Stop::new(65536, Gray8::new(200))];

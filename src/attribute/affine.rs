@@ -144,10 +144,8 @@ impl<const N: usize> Affine<N> {
         clip: &PixelRect,
         sink: &mut S,
     ) -> Result<(), S::Error> {
-        let make = |start| Planes::new(&oriented.vertices, &oriented.ordered(&self.values), area, start);
-        walk(&self.triangle, clip, make, |span, planes: &Planes<W, N>| {
-            sink.span(span, planes.to_the_right(), repeat(0))
-        })
+        let mut planes = Planes::new(&oriented.vertices, &oriented.ordered(&self.values), area);
+        walk(&self.triangle, clip, &mut planes, |span, planes| sink.span(span, planes.to_the_right(), repeat(0)))
     }
 
     #[inline]
@@ -160,11 +158,9 @@ impl<const N: usize> Affine<N> {
         sink: &mut S,
     ) -> Result<(), S::Error> {
         let depths = oriented.ordered(&depths).map(|depth| [i32::from(depth)]);
-        let make = |start| {
-            let values = Planes::new(&oriented.vertices, &oriented.ordered(&self.values), area, start);
-            (values, Planes::new(&oriented.vertices, &depths, area, start))
-        };
-        walk(&self.triangle, clip, make, |span, (values, depths): &(Planes<W, N>, Planes<W, 1>)| {
+        let values = Planes::new(&oriented.vertices, &oriented.ordered(&self.values), area);
+        let mut planes = (values, Planes::new(&oriented.vertices, &depths, area));
+        walk(&self.triangle, clip, &mut planes, |span, (values, depths)| {
             sink.span(span, values.to_the_right(), depths.to_the_right().map(depth))
         })
     }

@@ -65,12 +65,6 @@ impl<W: Word, U: Units<N, WORDS>, const N: usize, const WORDS: usize> Joined<W, 
         (join::<U, N, WORDS>(planes.current.map(|at| at.value)), planes.current.map(|at| at.lacking))
     }
 
-    /// The step to the right, each value's to the nearest, joined.
-    #[inline(always)]
-    pub(crate) fn rounded_step(&self) -> [u32; WORDS] {
-        join::<U, N, WORDS>(self.planes.right.map(|step| step.rounded(self.planes.area)))
-    }
-
     /// The words from the current centre to the right.
     #[inline(always)]
     pub(crate) fn write<T>(&self, into: &mut [T], mut write: impl FnMut(&mut T, [u32; WORDS])) {

@@ -10,10 +10,12 @@
 
 mod affine;
 mod barycentric;
+mod binary;
 mod channels;
 mod depth;
 mod gouraud;
 mod joined;
+mod packed;
 mod perspective;
 mod plane;
 mod shaded;

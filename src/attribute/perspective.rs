@@ -16,19 +16,22 @@
 //!     |s1 - s0| |sqrt(r) - 1| / (sqrt(r) + 1)  <=  |s1 - s0| |W1 - W0| / (4 min(W0, W1)),   r = W1 / W0
 //!   ```
 //!
-//!   Pieces are 16, 8, 4, 2 or 1 pixels long, by what of that stays within the tolerance: a division a piece.
+//!   Along a row, `ds/dx = K / W^2` with one `K`, so over pieces of `h` pixels it is at most `h^2 |ds/dx| |dW/dx| / (4 W)`,
+//!   both taken at the end of the row whose `W` is less. All pieces of a row have the largest `h` for which that stays
+//!   within the tolerance, 64 at most: a division a row, and one for each attribute and piece.
 //! - Interpolated `W` are whole numbers again: half of one is at most 1/8 texel of 64 where `W` is 256.
 //! - Quotients are rounded to whole units, and steps within a piece to `2^-8` of one: two units more at most.
 
-use core::{array, iter::repeat};
+use core::iter::repeat;
 
 use crate::{
-    PixelRect, Triangle,
+    PixelRect, Span, Triangle,
     attribute::{
         AttributeRow, AttributeSink, Attributes,
         affine::depth,
-        plane::{Planes, Standing, Strides, Word},
-        walk::{Oriented, walk},
+        binary::{BinaryPlanes, Product, low_word},
+        plane::{Planes, Word},
+        walk::{Follow, Oriented, walk},
     },
 };
 
@@ -68,8 +71,8 @@ impl core::error::Error for NotInFront {}
 ///
 /// # Cost
 ///
-/// `N` divisions for each 16 pixels, or each 8, 4, 2 or 1 where that is not near enough. Two additions for each
-/// attribute and pixel. See [`Affine`](crate::Affine) for the planes.
+/// `N` divisions of 32 bits for up to 64 pixels, or as many as are near enough. Two instructions for each attribute and pixel. No
+/// division but one for the area sets up the planes, whatever their size.
 ///
 /// # Examples
 ///
@@ -100,6 +103,8 @@ pub struct Perspective<const N: usize> {
 
 /// Bits of the largest `W`, at most.
 const INVERSE_BITS: u32 = 16;
+/// What no value is off by anyway.
+const HIGHEST_TOLERANCE: u32 = (1 << 22) - 1;
 /// How far values may be from 0.
 const VALUE_REACH: i32 = 1 << 21;
 
@@ -144,48 +149,77 @@ impl<const N: usize> Perspective<N> {
     /// clip lets them: only with 0 is no value changed by where a drawing is cut.
     #[inline]
     pub const fn tolerance(self, units: u32) -> Self {
-        Self { tolerance: units, ..self }
+        Self { tolerance: if units < HIGHEST_TOLERANCE { units } else { HIGHEST_TOLERANCE }, ..self }
     }
 
-    #[inline]
-    fn planes<W: Word>(&self, oriented: &Oriented, area: W, start: (i32, i32)) -> Quotients<W, N> {
-        Quotients {
-            numerators: Planes::new(&oriented.vertices, &oriented.ordered(&self.numerators), area, start),
-            inverse: Planes::new(&oriented.vertices, &oriented.ordered(&self.inverses).map(|w| [w]), area, start),
+    #[inline(always)]
+    fn quotients(&self, oriented: &Oriented) -> Quotients<N> {
+        let (numerators, inverses) = (oriented.ordered(&self.numerators), oriented.ordered(&self.inverses));
+        let inverses = inverses.map(|inverse| [inverse]);
+        // Numerators have 30 bits.
+        if oriented.is_within(22) {
+            Quotients::new::<i64>(oriented, &numerators, &inverses)
+        } else {
+            far(oriented, &numerators, &inverses)
         }
     }
 }
 
-#[derive(Debug)]
-struct Quotients<W: Word, const N: usize> {
-    numerators: Planes<W, N>,
-    inverse: Planes<W, 1>,
+/// Those of triangles of any size.
+#[cold]
+#[inline(never)]
+fn far<const N: usize>(oriented: &Oriented, numerators: &[[i32; N]; 3], inverses: &[[i32; 1]; 3]) -> Quotients<N> {
+    Quotients::new::<i128>(oriented, numerators, inverses)
 }
 
-impl<W: Word, const N: usize> super::walk::Follow for Quotients<W, N> {
+/// The planes of a triangle at a row, and a column there.
+#[derive(Debug)]
+struct Quotients<const N: usize> {
+    numerators: BinaryPlanes<N>,
+    inverse: BinaryPlanes<1>,
+    row: i32,
+    column: i32,
+}
+
+impl<const N: usize> Quotients<N> {
+    #[inline(always)]
+    fn new<P: Product>(oriented: &Oriented, numerators: &[[i32; N]; 3], inverses: &[[i32; 1]; 3]) -> Self {
+        let mut numerators = BinaryPlanes::new::<P>(oriented, numerators);
+        let mut inverse = BinaryPlanes::new::<P>(oriented, inverses);
+        // To the nearest by taking the upper word.
+        for at in numerators.at.iter_mut().chain(&mut inverse.at) {
+            *at = at.wrapping_add(1 << 31);
+        }
+        Self { row: inverse.row(), column: inverse.column(), numerators, inverse }
+    }
+}
+
+impl<const N: usize> Follow for Quotients<N> {
+    /// Rows go down in the column of the first vertex.
     #[inline(always)]
     fn go_to(&mut self, row: i32, column: i32) {
-        self.numerators.go_to(row, column);
-        self.inverse.go_to(row, column);
+        let rows = row.wrapping_sub(self.row);
+        self.numerators.move_by(rows, 0);
+        self.inverse.move_by(rows, 0);
+        (self.row, self.column) = (row, column);
     }
 }
 
 /// The values of a span, piece by piece.
 #[derive(Debug)]
-struct Pieces<'p, W: Word, const N: usize> {
-    numerators: Standing<W, N>,
-    inverse: Standing<W, 1>,
-    strides: &'p (Strides<W, N>, Strides<W, 1>),
-    bases: [i32; N],
-    ranges: [i32; N],
-    tolerance: u32,
-    /// The exact values at the current centre, less the bases, and their `W`.
+struct Pieces<'p, const N: usize> {
+    of: &'p Perspective<N>,
+    quotients: &'p Quotients<N>,
+    /// At the end of the current piece, which is the start of the next: the planes, and the exact values less the bases.
+    numerators: [u64; N],
+    inverse: u64,
     start: [i32; N],
-    start_inverse: i32,
-    /// How many more centres the span has to the right of the current one.
+    /// The exact values at the last centre.
+    last: [i32; N],
+    /// How many more centres the span has to the right of there.
     rest: u32,
-    /// How long the next piece may be, to the power of two.
-    length_log2: u32,
+    /// How long a piece is.
+    length: u32,
     piece: Piece<N>,
 }
 
@@ -198,12 +232,8 @@ struct Piece<const N: usize> {
 }
 
 const FRACTION: u32 = 8;
-const LONGEST_LOG2: u32 = 4;
-
-/// Without a tolerance, every pixel is divided, whatever it is divided by: no value then depends on the clip.
-const fn longest_log2(tolerance: u32) -> u32 {
-    if tolerance == 0 { 0 } else { LONGEST_LOG2 }
-}
+/// Pieces have 64 pixels at most.
+const LONGEST: u32 = 64;
 
 impl<const N: usize> Piece<N> {
     #[inline(always)]
@@ -215,147 +245,181 @@ impl<const N: usize> Piece<N> {
         values
     }
 
-    /// Goes past some that are left.
-    #[inline(always)]
-    fn skip(&mut self, count: u32) {
+    /// Past some that are left.
+    fn after(mut self, count: usize) -> Self {
+        let count = u32::try_from(count).unwrap_or(0);
         self.left = self.left.saturating_sub(count);
-        if self.left > 0 {
-            for (current, step) in self.current.iter_mut().zip(&self.step) {
-                *current = current.wrapping_add(step.wrapping_mul(count.cast_signed()));
-            }
+        for (current, step) in self.current.iter_mut().zip(&self.step) {
+            *current = current.wrapping_add(step.wrapping_mul(count.cast_signed()));
+        }
+        self
+    }
+}
+
+impl<const N: usize> Pieces<'_, N> {
+    /// The next piece. The last one has the last centre, too.
+    #[inline(always)]
+    fn next_piece(&mut self) -> Piece<N> {
+        let (mut end, mut length, mut left) = (self.last, self.rest, self.rest.wrapping_add(1));
+        if self.rest > self.length {
+            length = self.length;
+            left = length;
+            (self.numerators, self.inverse) = self.quotients.advanced(self.numerators, self.inverse, length);
+            end = quotients(&self.numerators, weight(self.inverse), &self.of.ranges);
+        }
+        let mut piece = Piece { current: self.start, step: end, left };
+        for ((current, step), base) in piece.current.iter_mut().zip(&mut piece.step).zip(&self.of.bases) {
+            *step = ((*step - *current) << FRACTION) / length.cast_signed().max(1);
+            *current = (current.wrapping_add(*base) << FRACTION) + (1 << (FRACTION - 1));
+        }
+        self.start = end;
+        self.rest = self.rest.wrapping_sub(length);
+        piece
+    }
+
+    /// Goes on in the current piece, or with the next one, as far as it goes. Returns what is left.
+    #[inline(always)]
+    fn write_piece<'t, T>(&mut self, into: &'t mut [T], write: &mut impl FnMut(&mut T, [i32; N])) -> &'t mut [T] {
+        let mut piece = self.piece;
+        if piece.left == 0 {
+            piece = self.next_piece();
+        }
+        let left = usize::try_from(piece.left).unwrap_or(1);
+        let length = left.min(into.len());
+        let Some((now, later)) = into.split_at_mut_checked(length) else { return &mut [] };
+        self.piece.left = 0;
+        if length < left {
+            self.piece = piece.after(length);
+        }
+        write_line(piece.current, piece.step, now, write);
+        later
+    }
+}
+
+/// Out of line: next to everything else, there are no registers left for it.
+#[inline(never)]
+fn write_line<T, const N: usize>(
+    current: [i32; N],
+    step: [i32; N],
+    into: &mut [T],
+    write: &mut impl FnMut(&mut T, [i32; N]),
+) {
+    let mut values = current;
+    for item in into {
+        write(item, values.map(|value| value >> FRACTION));
+        for (value, step) in values.iter_mut().zip(&step) {
+            *value = value.wrapping_add(*step);
         }
     }
 }
 
-impl<W: Word, const N: usize> Pieces<'_, W, N> {
-    /// The next piece: as long as the tolerance allows.
-    #[inline(never)]
-    fn refill(&mut self) {
-        let bases = self.bases;
-        let held = |start: &[i32; N]| {
-            let mut current = *start;
-            for (current, base) in current.iter_mut().zip(bases) {
-                *current = (current.wrapping_add(base) << FRACTION) + (1 << (FRACTION - 1));
-            }
-            current
-        };
-        if self.rest == 0 {
-            self.piece = Piece { current: held(&self.start), step: [0; N], left: 1 };
-            return;
-        }
-        loop {
-            let length = self.rest.min(1 << self.length_log2);
-            let (mut numerators, mut inverse) = (self.numerators, self.inverse);
-            numerators.advance(length, &self.strides.0);
-            inverse.advance(length, &self.strides.1);
-            let [w] = inverse.values();
-            let w = w.max(1);
-            let end = quotients(numerators.values(), w, &self.ranges);
-            if length > 1 && !self.is_near(&end, w) {
-                // To the next power of two below the length.
-                self.length_log2 = (u32::BITS - 1 - (length - 1).leading_zeros()).min(self.length_log2 - 1);
-                continue;
-            }
-            let step = array::from_fn(|index| {
-                let of = |values: &[i32; N]| values.get(index).copied().unwrap_or_default();
-                let difference = (of(&end) - of(&self.start)) << FRACTION;
-                if length.is_power_of_two() {
-                    difference >> length.trailing_zeros()
-                } else {
-                    difference / length.cast_signed().max(1)
-                }
-            });
-            self.piece = Piece { current: held(&self.start), step, left: length };
-            (self.numerators, self.inverse, self.start, self.start_inverse) = (numerators, inverse, end, w);
-            self.rest -= length;
-            self.length_log2 = (self.length_log2 + 1).min(longest_log2(self.tolerance));
-            return;
-        }
-    }
-
-    /// Whether a line from the current values to those at `end` is within the tolerance, see the module.
-    #[inline]
-    fn is_near(&self, end: &[i32; N], end_inverse: i32) -> bool {
-        let change = u64::from(end_inverse.abs_diff(self.start_inverse));
-        let bound = 4 * u64::from(self.tolerance) * u64::from(end_inverse.min(self.start_inverse).unsigned_abs());
-        end.iter().zip(&self.start).all(|(end, start)| u64::from(end.abs_diff(*start)) * change <= bound)
-    }
-}
-
-/// To the nearest; numerators are not negative at a centre inside, and below 2^30. As `w` was rounded, too, a quotient
-/// could go beyond the largest value.
+/// The whole part of a plane's value.
 #[inline(always)]
-fn quotients<const N: usize>(numerators: [i32; N], w: i32, ranges: &[i32; N]) -> [i32; N] {
-    let w = w.cast_unsigned().max(1);
-    let mut quotients = numerators;
-    for (quotient, range) in quotients.iter_mut().zip(ranges) {
-        *quotient = (quotient.cast_unsigned().wrapping_add(w / 2) / w).cast_signed().min(*range);
+fn whole(value: u64) -> i32 {
+    low_word(value >> 32).cast_signed()
+}
+
+/// `W`, which is not 0.
+#[inline(always)]
+fn weight(inverse: u64) -> u32 {
+    whole(inverse).max(1).cast_unsigned()
+}
+
+/// To the nearest. Numerators are below 2^30 at a centre inside; next to an edge they may be a little below 0. As `w` was
+/// rounded, too, a quotient could go beyond the largest value.
+#[inline(always)]
+fn quotients<const N: usize>(numerators: &[u64; N], w: u32, ranges: &[i32; N]) -> [i32; N] {
+    let w = w.max(1);
+    let mut quotients = *ranges;
+    for (quotient, numerator) in quotients.iter_mut().zip(numerators) {
+        let numerator = whole(*numerator).max(0).cast_unsigned();
+        *quotient = (numerator.wrapping_add(w / 2) / w).cast_signed().min(*quotient);
     }
     quotients
 }
 
-impl<W: Word, const N: usize> Iterator for Pieces<'_, W, N> {
+impl<const N: usize> Iterator for Pieces<'_, N> {
     type Item = [i32; N];
 
     #[inline]
     fn next(&mut self) -> Option<[i32; N]> {
         if self.piece.left == 0 {
-            self.refill();
+            self.piece = self.next_piece();
         }
         self.piece.left -= 1;
         Some(self.piece.next())
     }
 }
 
-impl<W: Word, const N: usize> AttributeRow<N> for Pieces<'_, W, N> {
-    #[inline(never)]
+impl<const N: usize> AttributeRow<N> for Pieces<'_, N> {
+    #[inline(always)]
     fn write<T>(&mut self, into: &mut [T], mut write: impl FnMut(&mut T, [i32; N])) {
         let mut rest = into;
         while !rest.is_empty() {
-            if self.piece.left == 0 {
-                self.refill();
-            }
-            let left = usize::try_from(self.piece.left).unwrap_or(1);
-            let Some((now, later)) = rest.split_at_mut_checked(left.min(rest.len())) else { return };
-            let written = u32::try_from(now.len()).unwrap_or(0);
-            write_piece(self.piece, now, &mut write);
-            self.piece.skip(written);
-            rest = later;
+            rest = self.write_piece(rest, &mut write);
         }
     }
 }
 
-#[inline(always)]
-fn write_piece<T, const N: usize>(mut piece: Piece<N>, into: &mut [T], write: &mut impl FnMut(&mut T, [i32; N])) {
-    for item in into {
-        write(item, piece.next());
-    }
-}
-
-impl<W: Word, const N: usize> Quotients<W, N> {
-    #[inline]
-    fn pieces<'p>(
-        &self,
-        of: &Perspective<N>,
-        width: u32,
-        strides: &'p (Strides<W, N>, Strides<W, 1>),
-    ) -> Pieces<'p, W, N> {
-        let (numerators, inverse) = (self.numerators.standing(), self.inverse.standing());
-        let [w] = inverse.values();
-        let w = w.max(1);
-        Pieces {
-            start: quotients(numerators.values(), w, &of.ranges),
-            start_inverse: w,
-            numerators,
-            inverse,
-            strides,
-            bases: of.bases,
-            ranges: of.ranges,
-            tolerance: of.tolerance,
-            rest: width.saturating_sub(1),
-            length_log2: longest_log2(of.tolerance),
-            piece: Piece { current: [0; N], step: [0; N], left: 0 },
+impl<const N: usize> Quotients<N> {
+    #[inline(always)]
+    fn pieces<'p>(&'p self, of: &'p Perspective<N>, span: &Span) -> Pieces<'p, N> {
+        let numerators = self.numerators.at_column(self.column);
+        let [inverse] = self.inverse.at_column(self.column);
+        let first = weight(inverse);
+        let start = quotients(&numerators, first, &of.ranges);
+        let rest = span.columns.end.wrapping_sub(span.columns.start).cast_unsigned().saturating_sub(1);
+        let (mut last, mut length) = (start, 1);
+        if rest > 0 {
+            let (numerators, inverse) = self.advanced(numerators, inverse, rest);
+            let w = weight(inverse);
+            last = quotients(&numerators, w, &of.ranges);
+            let (farthest, w) = if first <= w { (&start, first) } else { (&last, w) };
+            length = self.length(of.tolerance, farthest, w);
         }
+        let piece = Piece { current: [0; N], step: [0; N], left: 0 };
+        Pieces { of, quotients: self, numerators, inverse, start, last, rest, length, piece }
+    }
+
+    /// The planes so many columns to the right.
+    #[inline(always)]
+    fn advanced(&self, mut numerators: [u64; N], inverse: u64, columns: u32) -> ([u64; N], u64) {
+        let advanced = |at: u64, step: u64| at.wrapping_add(step.wrapping_mul(columns.into()));
+        for (numerator, step) in numerators.iter_mut().zip(&self.numerators.right) {
+            *numerator = advanced(*numerator, *step);
+        }
+        let [inverse_step] = self.inverse.right;
+        (numerators, advanced(inverse, inverse_step))
+    }
+
+    /// How long a piece may be in a row whose least `W` is this, with these values: see the module.
+    #[inline(always)]
+    fn length(&self, tolerance: u32, values: &[i32; N], w: u32) -> u32 {
+        let [inverse_step] = self.inverse.right;
+        // In 1/256: between two centres inside, `W` changes by less than 2^16, and `s W` by less than 2^30.
+        let change = low_word(inverse_step >> 24).cast_signed();
+        let mut slope = 0;
+        for (step, value) in self.numerators.right.iter().zip(values) {
+            let through = low_word((i64::from(*value).wrapping_mul(change.into()) >> 8).cast_unsigned());
+            slope = slope.max(whole(*step).wrapping_sub(through.cast_signed()).unsigned_abs());
+        }
+        let change = change.unsigned_abs().wrapping_add(1);
+        // Values are whole numbers, and so off by a half.
+        let slope = slope.wrapping_add(change >> 8).wrapping_add(2);
+        let error = u64::from(slope).wrapping_mul(change.into());
+        let bound = u64::from(w.wrapping_mul(w)).wrapping_mul(u64::from(tolerance << 10));
+        // The largest h of h^2 error <= bound.
+        // In 20 bits, which leaves twelve for the quotient.
+        let unit = (u64::BITS - 20).saturating_sub(error.leading_zeros());
+        let error = low_word(error >> unit).wrapping_add(1);
+        let square = u32::try_from(bound >> unit).unwrap_or(u32::MAX) / error.max(1);
+        if square >= LONGEST * LONGEST {
+            return LONGEST;
+        }
+        // A chord of the root, below it.
+        let log2 = (31 - (square | 1).leading_zeros()) / 2;
+        let power = 1 << log2;
+        power + ((square.saturating_sub(power << log2) * 85) >> (8 + log2))
     }
 }
 
@@ -368,10 +432,10 @@ impl<const N: usize> Attributes<N> for Perspective<N> {
     #[inline]
     fn interpolate<S: AttributeSink<N>>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
         let Some(oriented) = Oriented::new(&self.triangle) else { return Ok(()) };
-        match oriented.narrow(&self.numerators) {
-            Some(area) => self.rows(&oriented, area, clip, sink),
-            None => self.rows(&oriented, oriented.area, clip, sink),
-        }
+        walk(&self.triangle, clip, &mut self.quotients(&oriented), |span, quotients| {
+            let pieces = quotients.pieces(self, &span);
+            sink.span(span, pieces, repeat(0))
+        })
     }
 
     #[inline]
@@ -382,7 +446,7 @@ impl<const N: usize> Attributes<N> for Perspective<N> {
         sink: &mut S,
     ) -> Result<(), S::Error> {
         let Some(oriented) = Oriented::new(&self.triangle) else { return Ok(()) };
-        match oriented.narrow(&self.numerators) {
+        match oriented.near() {
             Some(area) => self.rows_with_depth(&oriented, area, depths, clip, sink),
             None => self.rows_with_depth(&oriented, oriented.area, depths, clip, sink),
         }
@@ -390,27 +454,6 @@ impl<const N: usize> Attributes<N> for Perspective<N> {
 }
 
 impl<const N: usize> Perspective<N> {
-    #[inline]
-    fn rows<W: Word, S: AttributeSink<N>>(
-        &self,
-        oriented: &Oriented,
-        area: W,
-        clip: &PixelRect,
-        sink: &mut S,
-    ) -> Result<(), S::Error> {
-        let mut strides = None;
-        walk(
-            &self.triangle,
-            clip,
-            |start| self.planes(oriented, area, start),
-            |span, planes: &Quotients<W, N>| {
-                let strides = strides.get_or_insert_with(|| (planes.numerators.strides(), planes.inverse.strides()));
-                let width = span.columns.end.wrapping_sub(span.columns.start).cast_unsigned();
-                sink.span(span, planes.pieces(self, width, strides), repeat(0))
-            },
-        )
-    }
-
     #[inline]
     fn rows_with_depth<W: Word, S: AttributeSink<N>>(
         &self,
@@ -421,12 +464,10 @@ impl<const N: usize> Perspective<N> {
         sink: &mut S,
     ) -> Result<(), S::Error> {
         let depths = oriented.ordered(&depths).map(|depth| [i32::from(depth)]);
-        let mut strides = None;
-        let make = |start| (self.planes(oriented, area, start), Planes::new(&oriented.vertices, &depths, area, start));
-        walk(&self.triangle, clip, make, |span, (planes, depths): &(Quotients<W, N>, Planes<W, 1>)| {
-            let strides = strides.get_or_insert_with(|| (planes.numerators.strides(), planes.inverse.strides()));
-            let width = span.columns.end.wrapping_sub(span.columns.start).cast_unsigned();
-            sink.span(span, planes.pieces(self, width, strides), depths.to_the_right().map(depth))
+        let mut planes = (self.quotients(oriented), Planes::new(&oriented.vertices, &depths, area));
+        walk(&self.triangle, clip, &mut planes, |span, (quotients, depths)| {
+            let pieces = quotients.pieces(self, &span);
+            sink.span(span, pieces, depths.to_the_right().map(depth))
         })
     }
 }

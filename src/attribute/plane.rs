@@ -47,7 +47,7 @@ pub(crate) trait Word: Copy + Debug {
     fn divided(gx: Self::Product, gy: Self::Product, x: i64, y: i64, area: Self) -> (i32, Self);
 }
 
-/// For areas below 2^32, values that differ by less than 2^31 and boxes of less than 2^23 in either direction.
+/// For areas below 2^32, values that differ by less than 2^31 and vertices less than 2^22 from the first.
 ///
 /// `|gx|` is twice an area in the plane of `c` and `y`, so at most `2^31 * 2^23`, and `256 gx` fits 63 bits. Inside the
 /// triangle `gx x + gy y` is `A (c - c0)`, below 2^63: its terms may wrap, their sum does not.
@@ -216,19 +216,6 @@ fn divide_wide(n: i128, area: u64) -> (i32, u64) {
     (quotient, remainder)
 }
 
-/// Twice the signed area of a triangle; positive when its vertices turn clockwise on the screen.
-#[inline]
-pub(crate) fn doubled_area(vertices: &[Vertex; 3]) -> i128 {
-    let [(x1, y1), (x2, y2)] = sides(vertices);
-    let narrow = |d: i64| i32::try_from(d).is_ok();
-    if narrow(x1) && narrow(y1) && narrow(x2) && narrow(y2) {
-        // Products of 31 bits: their difference fits 63.
-        i128::from(x1 * y2 - x2 * y1)
-    } else {
-        i128::from(x1) * i128::from(y2) - i128::from(x2) * i128::from(y1)
-    }
-}
-
 /// The vectors from the first vertex to the others.
 #[inline(always)]
 fn sides(vertices: &[Vertex; 3]) -> [(i64, i64); 2] {
@@ -250,23 +237,6 @@ impl<W: Word> Step<W> {
     fn new(gradient: W::Product, area: W) -> Self {
         let (whole, rest) = W::per_pixel(gradient, area);
         Self { whole, rest }
-    }
-}
-
-impl<W: Word> Step<W> {
-    /// To the nearest whole unit, modulo 2^32: what binary fixed point keeps of it.
-    #[inline(always)]
-    pub(super) fn rounded(&self, area: W) -> i32 {
-        // More than half where less than that is missing.
-        self.whole.wrapping_add(i32::from(!self.rest.less(area.wrapping_sub(self.rest))))
-    }
-
-    /// A step of twice as many pixels.
-    #[inline]
-    fn doubled(self, area: W) -> Self {
-        let mut at = At { value: 0, lacking: self.rest.wrapping_sub(area) };
-        at.step(&self, area);
-        Self { whole: self.whole.wrapping_add(at.value), rest: at.lacking.wrapping_add(area) }
     }
 }
 
@@ -299,6 +269,9 @@ impl<W: Word> At<W> {
 /// Wherever the next span starts further away than this, its values are divided afresh.
 pub(super) const NEAR_COLUMNS: i32 = 8;
 
+/// No pixel's row and column, nor next to one's.
+const NOWHERE: i32 = i32::MIN;
+
 /// `N` attributes over a triangle, at the centre of a pixel.
 #[derive(Debug, Clone)]
 pub(crate) struct Planes<W: Word, const N: usize> {
@@ -315,10 +288,10 @@ pub(crate) struct Planes<W: Word, const N: usize> {
 }
 
 impl<W: Word, const N: usize> Planes<W, N> {
-    /// The planes through the values of the vertices, `area` being twice the triangle's, which turns clockwise. `start`
-    /// is a row and a column whose centre is inside.
+    /// The planes through the values of the vertices, `area` being twice the triangle's, which turns clockwise. They are nowhere
+    /// before they have gone to a centre.
     #[inline(always)]
-    pub(crate) fn new(vertices: &[Vertex; 3], values: &[[i32; N]; 3], area: W, start: (i32, i32)) -> Self {
+    pub(crate) fn new(vertices: &[Vertex; 3], values: &[[i32; N]; 3], area: W) -> Self {
         let [(x1, y1), (x2, y2)] = sides(vertices);
         let [c0, c1, c2] = values;
         let gradient = |(c0, c1, c2): (i32, i32, i32)| {
@@ -327,7 +300,7 @@ impl<W: Word, const N: usize> Planes<W, N> {
         };
         let gradients = zip3(c0, c1, c2).map(gradient);
         let [origin, ..] = vertices;
-        let mut planes = Self {
+        Self {
             area,
             origin: (origin.x.to_bits(), origin.y.to_bits()),
             bases: *c0,
@@ -335,11 +308,9 @@ impl<W: Word, const N: usize> Planes<W, N> {
             right: gradients.map(|(x, _)| Step::new(x, area)),
             down: gradients.map(|(_, y)| Step::new(y, area)),
             current: [At { value: 0, lacking: area }; N],
-            column: start.1,
-            row: start.0,
-        };
-        planes.evaluate();
-        planes
+            column: NOWHERE,
+            row: NOWHERE,
+        }
     }
 
     /// The values at the current centre, by a division each.
@@ -383,53 +354,6 @@ impl<W: Word, const N: usize> Planes<W, N> {
     #[inline(always)]
     pub(crate) fn to_the_right(&self) -> Rightwards<'_, W, N> {
         Rightwards { current: self.current, planes: self }
-    }
-
-    #[inline(always)]
-    pub(crate) fn standing(&self) -> Standing<W, N> {
-        Standing(self.current)
-    }
-
-    /// Steps to the right of 1, 2, 4, 8 and 16 pixels.
-    #[inline(never)]
-    pub(crate) fn strides(&self) -> Strides<W, N> {
-        let mut steps = [self.right; 5];
-        let mut previous = self.right;
-        for next in steps.iter_mut().skip(1) {
-            previous = previous.map(|step| step.doubled(self.area));
-            *next = previous;
-        }
-        Strides { area: self.area, steps }
-    }
-}
-
-/// Steps to the right of 1, 2, 4, 8 and 16 pixels.
-#[derive(Debug, Clone)]
-pub(crate) struct Strides<W, const N: usize> {
-    area: W,
-    steps: [[Step<W>; N]; 5],
-}
-
-/// Values at a centre, without the steps.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Standing<W, const N: usize>([At<W>; N]);
-
-impl<W: Word, const N: usize> Standing<W, N> {
-    #[inline(always)]
-    pub(crate) fn values(&self) -> [i32; N] {
-        self.0.map(|at| at.value)
-    }
-
-    /// Goes `columns` to the right, in `0..=16`.
-    #[inline(always)]
-    pub(crate) fn advance(&mut self, columns: u32, strides: &Strides<W, N>) {
-        for (bit, steps) in strides.steps.iter().enumerate() {
-            if columns >> bit & 1 != 0 {
-                for (at, step) in self.0.iter_mut().zip(steps) {
-                    at.step(step, strides.area);
-                }
-            }
-        }
     }
 }
 

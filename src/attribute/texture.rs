@@ -82,7 +82,7 @@ pub struct Texture<T> {
     filter: Filter,
     corner: Point,
     size: [i32; 2],
-    /// The sides less one, where it repeats and both are powers of two.
+    /// The sides less one, where it repeats, both are powers of two and the corner is the origin.
     masks: Option<[i32; 2]>,
 }
 
@@ -99,8 +99,8 @@ impl<T: GetPixel + Dimensions> Texture<T> {
         if size.contains(&0) {
             return Err(EmptyTexture);
         }
-        let masks =
-            (wrap == Wrap::Repeat && size.iter().all(|side| side & (side - 1) == 0)).then(|| size.map(|side| side - 1));
+        let is_simple = wrap == Wrap::Repeat && area.top_left == Point::zero();
+        let masks = (is_simple && size.iter().all(|side| side & (side - 1) == 0)).then(|| size.map(|side| side - 1));
         Ok(Self { texels, wrap, filter, corner: area.top_left, size, masks })
     }
 }
@@ -115,10 +115,12 @@ impl<T: GetPixel> Texture<T> {
     #[inline(always)]
     fn at(&self, [x, y]: [i32; 2]) -> Option<T::Color> {
         let [width, height] = self.size;
-        let (x, y) = match (self.masks, self.wrap) {
-            (Some([columns, rows]), _) => (x & columns, y & rows),
-            (None, Wrap::Clamp) => (x.clamp(0, (width - 1).max(0)), y.clamp(0, (height - 1).max(0))),
-            (None, Wrap::Repeat) => (repeated(x, width), repeated(y, height)),
+        if let Some([columns, rows]) = self.masks {
+            return self.texels.pixel(Point::new(x & columns, y & rows));
+        }
+        let (x, y) = match self.wrap {
+            Wrap::Clamp => (x.clamp(0, (width - 1).max(0)), y.clamp(0, (height - 1).max(0))),
+            Wrap::Repeat => (repeated(x, width), repeated(y, height)),
         };
         self.texels.pixel(Point::new(self.corner.x.wrapping_add(x), self.corner.y.wrapping_add(y)))
     }

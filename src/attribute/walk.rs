@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use crate::{
     PixelRect, Triangle, Vertex,
-    attribute::plane::{Planes, Word, doubled_area},
+    attribute::plane::{Planes, Word},
     shape::Shape,
     span::{Span, SpanSink},
 };
@@ -13,51 +13,94 @@ use crate::{
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Oriented {
     pub(crate) vertices: [Vertex; 3],
+    /// Twice the triangle's.
     pub(crate) area: u64,
     order: [usize; 3],
+    /// No vertex is this far or farther from the first in either direction, in sub-pixels; a power of two, less one, or `u32::MAX`.
+    reach: u32,
 }
 
 impl Oriented {
     /// None for a triangle without area, which has no pixels.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn new(triangle: &Triangle) -> Option<Self> {
         let [a, b, c] = triangle.vertices;
-        let area = doubled_area(&triangle.vertices);
-        let ([a, b, c], [i, j, k]) = if area < 0 { ([a, c, b], [0, 2, 1]) } else { ([a, b, c], [0, 1, 2]) };
         // Values near the top one, where the walk begins, have short numerators.
-        let (vertices, order) = if a.y <= b.y && a.y <= c.y {
-            ([a, b, c], [i, j, k])
+        let ([a, b, c], [i, j, k]) = if a.y <= b.y && a.y <= c.y {
+            ([a, b, c], [0, 1, 2])
         } else if b.y <= c.y {
-            ([b, c, a], [j, k, i])
+            ([b, c, a], [1, 2, 0])
         } else {
-            ([c, a, b], [k, i, j])
+            ([c, a, b], [2, 0, 1])
         };
-        let area = u64::try_from(area.unsigned_abs()).unwrap_or(u64::MAX);
-        (area > 0).then_some(Self { vertices, area, order })
+        let (is_clockwise, area, reach) = doubled_area(a, b, c);
+        let (vertices, order) = if is_clockwise { ([a, b, c], [i, j, k]) } else { ([a, c, b], [i, k, j]) };
+        (area > 0).then_some(Self { vertices, area, order, reach })
     }
 
     /// The values of the vertices, in the same order.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn ordered<T: Copy>(&self, values: &[T; 3]) -> [T; 3] {
         let [first, ..] = *values;
         self.order.map(|index| values.get(index).copied().unwrap_or(first))
     }
 
-    /// The area in 32 bits, where everything else of `u32 as Word` holds, too, for such values.
+    /// Whether no vertex is `2^bits` sub-pixels from the first, or more.
+    #[inline(always)]
+    pub(crate) fn is_within(&self, bits: u32) -> bool {
+        self.reach >> bits == 0
+    }
+
+    /// The area in 32 bits, where the vertices are less than 2^22 apart (16384 px), too.
+    #[inline]
+    pub(crate) fn near(&self) -> Option<u32> {
+        let area = u32::try_from(self.area).ok()?;
+        self.is_within(22).then_some(area)
+    }
+
+    /// Whether it is near, and has a quarter of a pixel.
+    #[inline]
+    pub(crate) fn is_middling(&self) -> bool {
+        self.near().is_some_and(|area| area >= 1 << 14)
+    }
+
+    /// The same where everything else of `u32 as Word` holds, too, for such values.
     #[inline]
     pub(crate) fn narrow<const N: usize>(&self, values: &[[i32; N]; 3]) -> Option<u32> {
-        let area = u32::try_from(self.area).ok()?;
-        let near = |distance: u32| distance < 1 << 23;
-        let [a, b, c] = self.vertices.map(|vertex| (vertex.x.to_bits(), vertex.y.to_bits()));
-        let near = near(a.0.abs_diff(b.0))
-            && near(a.0.abs_diff(c.0))
-            && near(b.0.abs_diff(c.0))
-            && near(a.1.abs_diff(b.1))
-            && near(a.1.abs_diff(c.1));
         let [c0, c1, c2] = values;
         let close = |a: &[i32; N], b: &[i32; N]| a.iter().zip(b).all(|(a, b)| a.abs_diff(*b) < 1 << 31);
-        (near && close(c0, c1) && close(c0, c2) && close(c1, c2)).then_some(area)
+        let area = self.near()?;
+        (close(c0, c1) && close(c0, c2) && close(c1, c2)).then_some(area)
     }
+}
+
+/// Whether the vertices turn clockwise on the screen, twice the area, and what is not less than the distance of any from `a`.
+#[inline(always)]
+fn doubled_area(a: Vertex, b: Vertex, c: Vertex) -> (bool, u64, u32) {
+    let from_a = |of: Vertex| {
+        let x = of.x.to_bits().checked_sub(a.x.to_bits())?;
+        Some((x, of.y.to_bits().checked_sub(a.y.to_bits())?))
+    };
+    let (Some((x1, y1)), Some((x2, y2))) = (from_a(b), from_a(c)) else { return doubled_area_wide(a, b, c) };
+    let product = |a: i32, b: i32| i64::from(a) * i64::from(b);
+    // Products of 32 bits with a sign, one of whose factors is never negative.
+    let area = product(x1, y2).wrapping_sub(product(x2, y1));
+    let magnitude = |distance: i32| (distance ^ (distance >> 31)).cast_unsigned();
+    let reach = magnitude(x1) | magnitude(x2) | magnitude(y1) | magnitude(y2);
+    (area > 0, area.unsigned_abs(), reach)
+}
+
+/// The same anywhere: at most the area of the box, below 2^64.
+#[cold]
+#[inline(never)]
+fn doubled_area_wide(a: Vertex, b: Vertex, c: Vertex) -> (bool, u64, u32) {
+    let from_a = |of: Vertex| {
+        let difference = |to: i32, from: i32| i128::from(to) - i128::from(from);
+        (difference(of.x.to_bits(), a.x.to_bits()), difference(of.y.to_bits(), a.y.to_bits()))
+    };
+    let ((x1, y1), (x2, y2)) = (from_a(b), from_a(c));
+    let area = x1 * y2 - x2 * y1;
+    (area > 0, u64::try_from(area.unsigned_abs()).unwrap_or(u64::MAX), u32::MAX)
 }
 
 /// Planes that go where a walk goes.
@@ -80,34 +123,29 @@ impl<A: Follow, B: Follow> Follow for (A, B) {
     }
 }
 
-/// Emits every span of the triangle with the planes at its first centre. They are made at the first of all.
+/// Emits every span of the triangle with the planes at its first centre.
 #[inline(always)]
 pub(crate) fn walk<P: Follow, E>(
     triangle: &Triangle,
     clip: &PixelRect,
-    make: impl FnOnce((i32, i32)) -> P,
+    planes: &mut P,
     emit: impl FnMut(Span, &P) -> Result<(), E>,
 ) -> Result<(), E> {
-    triangle.spans(clip, &mut Walk { make: Some(make), planes: None, emit, error: PhantomData })
+    triangle.spans(clip, &mut Walk { planes, emit, error: PhantomData })
 }
 
-struct Walk<P, M, F, E> {
-    make: Option<M>,
-    planes: Option<P>,
+struct Walk<'p, P, F, E> {
+    planes: &'p mut P,
     emit: F,
     error: PhantomData<fn() -> E>,
 }
 
-impl<P: Follow, M: FnOnce((i32, i32)) -> P, F: FnMut(Span, &P) -> Result<(), E>, E> SpanSink for Walk<P, M, F, E> {
+impl<P: Follow, F: FnMut(Span, &P) -> Result<(), E>, E> SpanSink for Walk<'_, P, F, E> {
     type Error = E;
 
     #[inline]
     fn span(&mut self, span: Span) -> Result<(), E> {
-        if let Some(make) = self.make.take() {
-            self.planes = Some(make((span.row, span.columns.start)));
-        }
-        let Some(planes) = &mut self.planes else { return Ok(()) };
-        planes.go_to(span.row, span.columns.start);
-        (self.emit)(span, planes)
+        self.planes.go_to(span.row, span.columns.start);
+        (self.emit)(span, self.planes)
     }
 }

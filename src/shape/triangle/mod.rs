@@ -11,7 +11,7 @@ use crate::{
     edge::Edge,
     geometry::by_height,
     shape::Shape,
-    span::{BlockSink, OpenBlock, SpanSink, SplitRows, clip_range},
+    span::{BlockSink, OpenBlock, Span, SpanSink, clip_range},
     subpixel::first_centre_at_or_after,
 };
 
@@ -102,7 +102,11 @@ impl Shape for Triangle {
 
     #[inline]
     fn spans<S: SpanSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
-        self.blocks(clip, &mut SplitRows(sink))
+        let each_row = |row, columns: Range<i32>| {
+            if columns.is_empty() { Ok(()) } else { sink.span(Span { row, columns }) }
+        };
+        let sorted = self.sorted();
+        if self.is_narrow(&sorted, clip) { sorted.rows_narrow(each_row) } else { sorted.rows_any(clip, each_row) }
     }
 
     #[inline]
@@ -162,6 +166,34 @@ impl Sorted {
         dx(self.middle) * dy(self.bottom) > dx(self.bottom) * dy(self.middle)
     }
 
+    /// In one loop: what becomes of a row is there once, not for each half and side.
+    #[inline(always)]
+    fn rows_narrow<E>(&self, mut each_row: impl FnMut(i32, Range<i32>) -> Result<(), E>) -> Result<(), E> {
+        let [first, turn, end] = self.rows();
+        if first == end {
+            return Ok(());
+        }
+        let middle_is_right = self.middle_is_right();
+        let long = Edge::on_first_row(self.top, self.bottom, first);
+        let (from, to) = if first < turn { (self.top, self.middle) } else { (self.middle, self.bottom) };
+        let short = Edge::on_first_row(from, to, first);
+        let (mut left, mut right) = if middle_is_right { (long, short) } else { (short, long) };
+        let mut row = first;
+        loop {
+            each_row(row, left.column..right.column)?;
+            row = row.wrapping_add(1);
+            if row == end {
+                return Ok(());
+            }
+            left.step();
+            right.step();
+            if row == turn {
+                let lower = Edge::on_first_row(self.middle, self.bottom, turn);
+                *(if middle_is_right { &mut right } else { &mut left }) = lower;
+            }
+        }
+    }
+
     #[inline(always)]
     fn walk_halves<S: BlockSink, const MIDDLE_IS_RIGHT: bool>(&self, sink: &mut S) -> Result<(), S::Error> {
         let [first, turn, end] = self.rows();
@@ -188,16 +220,27 @@ impl Sorted {
         block.finish(end, sink)
     }
 
-    /// For every coordinate and clip there is. Which edge is the left one is seen from the columns.
     #[inline(never)]
     fn walk_any<S: BlockSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
+        let mut block = OpenBlock::new();
+        self.rows_any(clip, |row, columns| block.row(row, columns, sink))?;
+        let [.., end] = self.rows().map(|row| row.min(clip.rows.end).max(clip.rows.start));
+        block.finish(end, sink)
+    }
+
+    /// For every coordinate and clip there is. Which edge is the left one is seen from the columns.
+    #[inline]
+    fn rows_any<E>(
+        &self,
+        clip: &PixelRect,
+        mut each_row: impl FnMut(i32, Range<i32>) -> Result<(), E>,
+    ) -> Result<(), E> {
         let Self { top, middle, bottom } = *self;
         let [first, turn, end] = self.rows().map(|row| row.min(clip.rows.end).max(clip.rows.start));
         if first == end {
             return Ok(());
         }
         let mut long = Edge::on_row(top, bottom, first);
-        let mut block = OpenBlock::new();
         for (from, to, rows) in [(top, middle, first..turn), (middle, bottom, turn..end)] {
             if rows.is_empty() {
                 continue;
@@ -205,11 +248,11 @@ impl Sorted {
             let mut short = Edge::on_row(from, to, rows.start);
             for row in rows {
                 let columns = long.column.min(short.column)..long.column.max(short.column);
-                block.row(row, clip_range(&columns, &clip.columns), sink)?;
+                each_row(row, clip_range(&columns, &clip.columns))?;
                 long.step_or(|| Edge::on_row(top, bottom, row.wrapping_add(1)));
                 short.step_or(|| Edge::on_row(from, to, row.wrapping_add(1)));
             }
         }
-        block.finish(end, sink)
+        Ok(())
     }
 }
