@@ -25,12 +25,10 @@ impl fmt::Display for TooFewVertices {
 
 impl core::error::Error for TooFewVertices {}
 
-/// Any outline as a [`Polygon`], non-zero, in vertices that the caller lends.
+/// Any outline as a [`Polygon`], by the outline's own fill rule, in vertices that the caller lends.
 ///
 /// Points are rounded to 1/256 pixel, which may change a pixel's coverage by 1/255. All contours become one, joined by
-/// edges that are gone along there and back, and so have no inside: two vertices more for each. What a stroke
-/// [inside or outside](crate::StrokeStyle::align) of its contours covers is more than the non-zero rule can say: it
-/// cannot be collected, but only be anti-aliased.
+/// edges that are gone along there and back, and so have no inside: two vertices more for each.
 ///
 /// # Errors
 ///
@@ -72,7 +70,7 @@ pub(crate) fn collect_and_count<'v>(
     let Room { vertices, needed, turns, .. } = room;
     let vertices: &'v [Vertex] = vertices;
     match vertices.get(..needed) {
-        Some(vertices) => Ok(Polygon::new(vertices)),
+        Some(vertices) => Ok(Polygon::new(vertices).winding_rule(outline.winding_rule())),
         None => Err((TooFewVertices { needed, available }, turns.of_closed())),
     }
 }

@@ -1,11 +1,14 @@
 //! Strokes against what a pen covers: the distance to the path, with the ends and corners of SVG 2, worked out in
 //! floating point with nothing in common with `src/`.
 
-use std::f64::consts::{PI, TAU};
+use std::{
+    convert::Infallible,
+    f64::consts::{PI, TAU},
+};
 
 use spanfill::{
-    Align, Angle, Cap, Curves, Element, FinePoint, Join, Outline, OutlineSink, Path, Stroke, StrokeStyle, SvgElements,
-    Transform, Transformed, path,
+    ActiveEdge, Align, Angle, Cap, Curves, Element, FillRule, FinePoint, Join, Outline, OutlineSink, Path, Shape, Span,
+    SpanSink, Stroke, StrokeStyle, SvgElements, Transform, Transformed, Vertex, collect, path,
 };
 
 type Point = (f64, f64);
@@ -708,4 +711,40 @@ fn what_is_transformed_goes_around_what_it_did() {
             }
         }
     }
+}
+
+/// How many pixels a polygon has that is collected from an outline.
+fn collected_pixels(outline: &impl Outline) -> usize {
+    struct Pixels(usize);
+
+    impl SpanSink for Pixels {
+        type Error = Infallible;
+
+        fn span(&mut self, span: Span) -> Result<(), Infallible> {
+            self.0 += span.columns.len();
+            Ok(())
+        }
+    }
+
+    let mut vertices = [Vertex::default(); 64];
+    let mut edges = [ActiveEdge::EMPTY; 64];
+    let polygon = collect(outline, &mut vertices).unwrap();
+    let mut pixels = Pixels(0);
+    let shape = polygon.in_scratch(&mut edges).unwrap();
+    let Ok(()) = shape.spans(&shape.bounds(), &mut pixels);
+    pixels.0
+}
+
+#[test]
+fn what_is_collected_keeps_its_rule() {
+    // 40 x 40 pixels, either way around; 32 x 32 are left within, 48 x 48 are without, with mitred corners.
+    for path in [path!("M10 10h40v40h-40z"), path!("M10 10v40h40v-40z")] {
+        let pixels = |align| collected_pixels(&Stroke::new(path, StrokeStyle::pixels(4).align(align)));
+        assert_eq!(pixels(Align::Inside), 1600 - 1024);
+        assert_eq!(pixels(Align::Outside), 2304 - 1600);
+        assert_eq!(pixels(Align::Center), 44 * 44 - 36 * 36);
+    }
+    let nested = path!("M10 10h40v40h-40z M20 20h20v20h-20z").outline();
+    assert_eq!(collected_pixels(&nested), 1600);
+    assert_eq!(collected_pixels(&nested.fill_rule(FillRule::EvenOdd)), 1200);
 }

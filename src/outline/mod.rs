@@ -97,7 +97,7 @@ pub trait Vertices {
 pub(crate) const INDEX_BITS: u32 = 30;
 
 /// Which windings are inside: those with a bit of `mask`, once `flip` is flipped, and above `least`.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct WindingRule {
     pub(crate) mask: i32,
     pub(crate) flip: i32,

@@ -129,8 +129,9 @@ impl crate::shape::Cover for Quadrilateral {
     }
 
     fn coverage<S: crate::CoverageSink>(&self, clip: &PixelRect, sink: &mut S) -> Result<(), S::Error> {
-        let Some((rows, columns)) = visible(&self.bounds(), clip) else { return Ok(()) };
+        let touched = self.touched();
+        let Some((rows, columns)) = visible(&touched, clip) else { return Ok(()) };
         let corners = self.clockwise().map(vertex_position);
-        Rounded::send(sink, |areas| send_convex(&corners, &rows, &columns, areas))
+        Rounded::send(sink, |areas| send_convex(&corners, &touched, &rows, &columns, areas))
     }
 }

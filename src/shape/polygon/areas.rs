@@ -94,7 +94,7 @@ impl<'a> Polygon<'a> {
     }
 
     fn inside(&self) -> WindingRule {
-        WindingRule::with_mask(self.fill_rule.mask())
+        self.rule
     }
 }
 

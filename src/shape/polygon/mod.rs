@@ -13,6 +13,7 @@ use core::{cell::Cell, fmt, ops::Range};
 use crate::{
     PixelRect, TooManyEdges, Vertex,
     contours::{Contours, FillRule, Rows},
+    outline::WindingRule,
     shape::{Shape, polygon::table::Table},
     span::{BlockSink, EachSpan, MergeRows, RowSink, SpanSink, clip_range},
     subpixel::first_centre_at_or_after,
@@ -92,26 +93,30 @@ use crate::{
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Polygon<'a> {
     pub(in crate::shape) contours: Contours<'a>,
-    pub(in crate::shape) fill_rule: FillRule,
+    pub(crate) rule: WindingRule,
 }
 
 impl<'a> Polygon<'a> {
     /// A polygon of one contour, non-zero.
     #[inline]
     pub const fn new(contour: &'a [Vertex]) -> Self {
-        Self { contours: Contours::One(contour), fill_rule: FillRule::NonZero }
+        Self { contours: Contours::One(contour), rule: WindingRule::NON_ZERO }
     }
 
     /// A polygon of many contours, non-zero.
     #[inline]
     pub const fn with_contours(contours: &'a [&'a [Vertex]]) -> Self {
-        Self { contours: Contours::Many(contours), fill_rule: FillRule::NonZero }
+        Self { contours: Contours::Many(contours), rule: WindingRule::NON_ZERO }
     }
 
     /// The same outline with another rule for its inside.
     #[inline]
     pub const fn fill_rule(self, fill_rule: FillRule) -> Self {
-        Self { fill_rule, ..self }
+        Self { rule: WindingRule::with_mask(fill_rule.mask()), ..self }
+    }
+
+    pub(crate) const fn winding_rule(self, rule: WindingRule) -> Self {
+        Self { rule, ..self }
     }
 
     /// How much scratch the outline needs: the most edges that cross one row's centre, wherever it is clipped.
@@ -196,7 +201,7 @@ impl<'a> Polygon<'a> {
             }
             let event = table.next_event(row + 1, clip.rows.end);
             loop {
-                let mut spans = RowSpans::new(row, self.fill_rule, &clip.columns);
+                let mut spans = RowSpans::new(row, self.rule, &clip.columns);
                 table.cross_and_step(|column, winding| spans.cross(column, winding, sink))?;
                 spans.finish(sink)?;
                 row += 1;
@@ -215,8 +220,7 @@ impl<'a> Polygon<'a> {
 struct RowSpans<'c> {
     row: i32,
     winding: i32,
-    /// What is left of the winding decides: any of it, or whether it is odd.
-    mask: i32,
+    rule: WindingRule,
     /// The open span, or the last closed one: another that starts where it ends goes on with it.
     columns: Range<i32>,
     clip: &'c Range<i32>,
@@ -224,13 +228,13 @@ struct RowSpans<'c> {
 
 impl<'c> RowSpans<'c> {
     #[inline(always)]
-    fn new(row: i32, fill_rule: FillRule, clip: &'c Range<i32>) -> Self {
-        Self { row, winding: 0, mask: fill_rule.mask(), columns: clip.start..clip.start, clip }
+    fn new(row: i32, rule: WindingRule, clip: &'c Range<i32>) -> Self {
+        Self { row, winding: 0, rule, columns: clip.start..clip.start, clip }
     }
 
     #[inline(always)]
     fn cross<R: RowSink>(&mut self, column: i32, winding: i32, sink: &mut R) -> Result<(), R::Error> {
-        let was_inside = self.winding & self.mask != 0;
+        let was_inside = self.rule.of(self.winding) != 0;
         self.winding += winding;
         if was_inside {
             self.columns.end = column;

@@ -8,13 +8,13 @@ use core::{cell::Cell as Shared, fmt, ops::Range};
 
 use crate::{
     PixelRect, TooManyEdges, Vertex,
-    contours::FillRule,
     contours::{Rows, next_index},
     coverage::{CoverageSink, SampleCell, Samples, Supersampler},
     edge::{Descent, Edge, divide_product},
     error::TooLittleScratch,
     geometry::touched,
     limits::{HALF, NARROW_REACH, ONE},
+    outline::WindingRule,
     shape::{
         Polygon,
         polygon::{
@@ -165,7 +165,7 @@ impl<'a> Polygon<'a> {
             } else {
                 let event = table.next_event(y + 1, rows.end);
                 let lines = first_line(y, side)..first_line(event, side);
-                table.sample(lines, side, Winding::new(self.fill_rule), sampler)?;
+                table.sample(lines, side, Winding::new(self.rule), sampler)?;
                 event
             };
             y = event;
@@ -268,20 +268,19 @@ impl Sampled for PolygonEdges<'_, '_> {
 #[derive(Debug, Clone, Copy)]
 struct Winding {
     number: i32,
-    /// What is left of it decides: any of it, or whether it is odd.
-    mask: i32,
+    rule: WindingRule,
 }
 
 impl Winding {
-    fn new(fill_rule: FillRule) -> Self {
-        Self { number: 0, mask: fill_rule.mask() }
+    fn new(rule: WindingRule) -> Self {
+        Self { number: 0, rule }
     }
 
     /// 1 where the next edge leads inside, -1 where it leads outside, 0 where it does neither.
     #[inline(always)]
     fn cross(&mut self, winding: i32) -> i32 {
-        let before = self.number & self.mask != 0;
+        let before = self.rule.of(self.number);
         self.number += winding;
-        i32::from(self.number & self.mask != 0) - i32::from(before)
+        self.rule.of(self.number) - before
     }
 }
