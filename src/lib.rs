@@ -81,7 +81,7 @@
 //!     "3FFFFFFB72",
 //!     " DFFFFFE83",
 //!     " 8FFFA50  ",
-//!     " 2C71     ",
+//!     " 3C71     ",
 //! ]);
 //! # Ok::<(), core::convert::Infallible>(())
 //! ```
