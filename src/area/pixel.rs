@@ -158,14 +158,18 @@ impl Pieces {
     fn starts(&self) -> [i32; MOST] {
         let mut starts = [0; MOST];
         for (at, piece) in self.pieces.iter().take(self.count).enumerate() {
-            #[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap, reason = "fewer than 256")]
-            let start = piece.y0 << 8 | at as i32;
+            if let Some(start) = starts.get_mut(at) {
+                #[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap, reason = "fewer than 256")]
+                let number = at as i32;
+                *start = piece.y0 << 8 | number;
+            }
             let mut place = at;
-            while place > 0 && starts[(place - 1) % MOST] > start {
-                starts[place % MOST] = starts[(place - 1) % MOST];
+            while let Some([.., before, here]) = starts.get_mut(..=place)
+                && *before > *here
+            {
+                core::mem::swap(before, here);
                 place -= 1;
             }
-            starts[place % MOST] = start;
         }
         starts
     }
@@ -181,9 +185,21 @@ impl Pieces {
     }
 
     #[inline]
+    #[allow(clippy::indexing_slicing, reason = "below MOST: no check is left")]
+    fn number(&self, live: usize) -> u8 {
+        self.live[live % MOST]
+    }
+
+    #[inline]
+    #[allow(clippy::indexing_slicing, reason = "below MOST: no check is left")]
+    fn set_number(&mut self, live: usize, number: u8) {
+        self.live[live % MOST] = number;
+    }
+
+    #[inline]
+    #[allow(clippy::indexing_slicing, reason = "below MOST: no check is left")]
     fn piece(&mut self, live: usize) -> &mut Piece {
-        let piece = self.live[live % MOST];
-        &mut self.pieces[usize::from(piece) % MOST]
+        &mut self.pieces[usize::from(self.live[live % MOST]) % MOST]
     }
 
     /// Orders what is there between two heights, or down to the first end or crossing.
@@ -215,7 +231,7 @@ impl Pieces {
     /// By the columns in the middle, by insertion: they are few, and mostly in order.
     fn sort_live(&mut self) {
         for at in 1..self.alive {
-            let number = self.live[at % MOST];
+            let number = self.number(at);
             let piece = self.piece(at);
             let middle = piece.above + piece.below;
             let mut place = at;
@@ -224,10 +240,10 @@ impl Pieces {
                 if left.above + left.below <= middle {
                     break;
                 }
-                self.live[place % MOST] = self.live[(place - 1) % MOST];
+                self.set_number(place, self.number(place - 1));
                 place -= 1;
             }
-            self.live[place % MOST] = number;
+            self.set_number(place, number);
         }
     }
 
@@ -264,8 +280,8 @@ impl Pieces {
         let mut kept = 0;
         self.end = i32::MAX;
         for at in 0..self.alive {
-            let number = self.live[at % MOST];
-            let piece = &mut self.pieces[usize::from(number) % MOST];
+            let number = self.number(at);
+            let piece = self.piece(at);
             #[allow(clippy::cast_possible_truncation, reason = "1, 0 or -1")]
             let weight = inside.weight(winding, piece.direction) as i8;
             winding += i32::from(piece.direction);
@@ -276,8 +292,9 @@ impl Pieces {
             if piece.y1 <= heights.end {
                 piece.add((piece.x1, piece.y1), 0, column, accumulator);
             } else {
-                self.live[kept % MOST] = number;
-                self.end = self.end.min(piece.y1);
+                let end = piece.y1;
+                self.set_number(kept, number);
+                self.end = self.end.min(end);
                 kept += 1;
             }
         }
