@@ -181,7 +181,7 @@ impl<C: Mix + From<Rgb888>> Brush<'_, '_, C> {
     /// By way of a shape of one type: there are dozens, and as many ways to paint.
     fn blend(&mut self, shape: impl Cover) {
         let touched = shape.touched();
-        let send = |clip: &PixelRect, mut sink: &mut dyn CoverageSink<Error = Stopped>| shape.coverage(clip, &mut sink);
+        let send = |clip: &PixelRect, mut sink: &mut AnySink<'_>| shape.coverage(clip, &mut sink);
         self.blend_any(AnyShape { touched, send: &send });
     }
 
@@ -268,8 +268,10 @@ impl<S: Shape> Cover for Wholly<S> {
 /// A shape of whatever type.
 struct AnyShape<'s> {
     touched: PixelRect,
-    send: &'s dyn Fn(&PixelRect, &mut dyn CoverageSink<Error = Stopped>) -> Result<(), Stopped>,
+    send: &'s dyn Fn(&PixelRect, &mut AnySink<'_>) -> Result<(), Stopped>,
 }
+
+type AnySink<'s> = dyn CoverageSink<Error = Stopped> + 's;
 
 /// The sink has kept its error.
 struct Stopped;
