@@ -245,6 +245,16 @@ impl CoverageEdge {
         }
     }
 
+    /// The same, but for some that end above a height, where they are kept.
+    #[cfg_attr(target_pointer_width = "64", inline)]
+    pub(super) fn lines_from<'r>(&self, row: &Row<'r>, y: i32) -> Lines<'r> {
+        let kept = self.kept_lines(row);
+        match kept.get(kept.partition_point(|line| line.y1 <= y)..).unwrap_or_default() {
+            [] => self.lines(row),
+            below => Lines::kept(below),
+        }
+    }
+
     #[inline]
     fn kept_lines<'r>(&self, row: &Row<'r>) -> &'r [Line] {
         let first = usize::from(self.first_kept);

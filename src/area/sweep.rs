@@ -90,7 +90,8 @@ impl Fill<'_, '_> {
             let winding = (self.winding.levels(), &mut right);
             let is_added = pieces.add((column, y..to), winding, self.inside, &mut self.accumulator);
             is_known = is_known && is_added;
-            (y, to) = (to, FINE_ONE);
+            // Where there was too little room, there may be again.
+            (y, to) = (to, FINE_ONE.min(to + 2 * (to - y)));
         }
         self.winding = right;
         is_known
@@ -105,28 +106,40 @@ impl Fill<'_, '_> {
         pieces: &mut Pieces,
     ) -> bool {
         pieces.clear();
-        let mut has_room = true;
-        self.each_line((place, end), columns, &mut |line, direction| {
+        self.each_line((place, end), columns, heights.clone(), &mut |line, direction| {
             let (top, bottom) = (line.y0.max(heights.start), line.y1.min(heights.end));
-            if top < bottom {
-                has_room = has_room && pieces.push(Piece::new(&line.between(top, bottom), direction, columns.start));
-            }
-        });
-        has_room
+            top >= bottom || pieces.push(Piece::new(&line.between(top, bottom), direction, columns.start))
+        })
     }
 
-    /// What chains have between two columns, with their directions.
+    /// What chains have between two columns and two heights, with their directions, until `found` has had enough.
     #[inline(never)]
-    fn each_line(&self, (place, end): (usize, usize), columns: &Range<i64>, found: &mut dyn FnMut(&Line, i8)) {
+    fn each_line(
+        &self,
+        (place, end): (usize, usize),
+        columns: &Range<i64>,
+        heights: Range<i32>,
+        found: &mut dyn FnMut(&Line, i8) -> bool,
+    ) -> bool {
         let row = self.row();
         for at in place..end {
             let Some(chain) = self.table.chain(at) else { break };
-            for line in chain.lines(&row) {
-                if let Some(line) = line.within(columns) {
-                    found(&line, chain.direction);
+            if chain.top >= heights.end || chain.bottom <= heights.start {
+                continue;
+            }
+            for line in chain.lines_from(&row, heights.start) {
+                if line.y0 >= heights.end {
+                    break;
+                }
+                if line.y1 > heights.start
+                    && let Some(line) = line.within(columns)
+                    && !found(&line, chain.direction)
+                {
+                    return false;
                 }
             }
         }
+        true
     }
 
     fn sweep_columns(&mut self, place: usize, end: usize, mut y: i32, columns: &Range<i64>) {
@@ -138,8 +151,9 @@ impl Fill<'_, '_> {
     /// The winding behind the columns; the extents, which were in use for something else, are found out again.
     fn pass_columns(&mut self, place: usize, end: usize, columns: &Range<i64>) -> bool {
         let (mut winding, mut is_known) = (self.winding, true);
-        self.each_line((place, end), columns, &mut |line, direction| {
+        self.each_line((place, end), columns, 0..FINE_ONE, &mut |line, direction| {
             is_known = is_known && winding.pass(line.y0, line.y1, direction.into(), &mut |_, _, _| {}).is_ok();
+            true
         });
         self.winding = winding;
         for at in place..end {
