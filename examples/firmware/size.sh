@@ -185,7 +185,7 @@ check() {
         function compare(what, new, old, of,    off) {
             off = new - old
             if (off < 0) off = -off
-            if (off > 32 && off * 20 > old) { print of ": " what " was " old ", is " new; failed = 1 }
+            if (off > 32 && off * 20 > old + 0) { print of ": " what " was " old ", is " new; failed = 1 }
         }
         BEGIN {
             while ((getline row < table) > 0) { split_row(row, f); known[name(f)] = row }
