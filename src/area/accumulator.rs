@@ -250,7 +250,7 @@ impl Accumulator {
 
 /// The column of an x in 2^-32 pixel.
 #[inline]
-fn column_of(x: i64) -> i32 {
+pub(super) fn column_of(x: i64) -> i32 {
     #[allow(clippy::cast_possible_truncation, reason = "the upper half")]
     let column = (x >> 32) as i32;
     column

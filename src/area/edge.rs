@@ -14,7 +14,7 @@
 use core::hint::black_box;
 
 use crate::area::{
-    accumulator::FULL,
+    accumulator::{FULL, column_of},
     division::{ratio, share},
     source::{FINE_BITS, FINE_ONE, Point},
 };
@@ -216,14 +216,6 @@ impl Piece {
             *area = area.wrapping_add(self.beyond());
         }
     }
-}
-
-/// The column of an x in 2^-32 pixel.
-#[inline]
-fn column_of(x: i64) -> i32 {
-    #[allow(clippy::cast_possible_truncation, reason = "the upper half")]
-    let column = (x >> 32) as i32;
-    column
 }
 
 /// How far within its column, in 2^-24 pixel.
