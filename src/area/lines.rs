@@ -12,7 +12,7 @@ use crate::area::{
 };
 
 /// So many lines of a row are kept, 24 bytes of stack each.
-const MOST: usize = if cfg!(target_pointer_width = "64") { 256 } else { 16 };
+const MOST: usize = if cfg!(target_pointer_width = "64") { 256 } else { 2 };
 
 /// A row of pixels.
 #[derive(Clone, Copy)]

@@ -28,7 +28,7 @@ use crate::{
 /// So many pieces have room, 48 bytes of stack each. A pixel with more is taken in parts of its height.
 ///
 /// The same everywhere: where parts meet is rounded once more, and hosts have a board's bits.
-const MOST: usize = 32;
+const MOST: usize = 16;
 
 /// Bits behind the point of a column within the pixel.
 const PIECE_BITS: u32 = 29;
