@@ -23,13 +23,13 @@ struct Cli {
     /// The GIF to write
     out: PathBuf,
     /// Pixels
-    #[arg(long, default_value_t = 240)]
+    #[arg(long, default_value_t = 200)]
     width: usize,
     /// Pixels
-    #[arg(long, default_value_t = 180)]
+    #[arg(long, default_value_t = 150)]
     height: usize,
     /// Every how many frames one is shown
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 2)]
     every: usize,
 }
 

@@ -2,7 +2,7 @@
 //!
 //! Chains whose extents overlap are asked for their lines again and again, by each they are compared with and for each pixel
 //! in which they cross. To ask vertices that are worked out is dear; to keep the lines costs memory. So what has room is
-//! kept, and the bits are the same.
+//! kept, on hosts most, on boards next to nothing, and the bits are the same.
 
 use core::slice;
 
@@ -11,7 +11,7 @@ use crate::area::{
     source::{Contour, FINE_ONE, Point, Source},
 };
 
-/// So many lines of a row are kept, 24 bytes of stack each.
+/// So many lines of a group are kept, 24 bytes of stack each.
 const MOST: usize = if cfg!(target_pointer_width = "64") { 256 } else { 2 };
 
 /// A row of pixels.
@@ -23,7 +23,7 @@ pub(super) struct Row<'r> {
     pub(super) kept: &'r [Line],
 }
 
-/// The lines of a row that are kept.
+/// The lines of a group of chains that are kept.
 pub(super) struct Kept {
     lines: [Line; MOST],
     used: usize,

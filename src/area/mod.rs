@@ -15,6 +15,7 @@ mod lines;
 mod order;
 mod outline_areas;
 mod pair;
+mod piece;
 mod pixel;
 pub(crate) mod root;
 mod rounded;

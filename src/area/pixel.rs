@@ -18,78 +18,23 @@ use core::ops::Range;
 use crate::{
     area::{
         accumulator::Accumulator,
-        division::{floor_ratio, part_of},
-        line::Line,
+        division::part_of,
+        piece::{PIECE_BITS, Piece},
         winding::{Level, Winding},
     },
     outline::WindingRule,
 };
 
-/// So many pieces have room, 48 bytes of stack each. A pixel with more is taken in parts of its height.
+/// So many pieces have room, 32 bytes of stack each. A pixel with more is taken in parts of its height.
 ///
 /// The same everywhere: where parts meet is rounded once more, and hosts have a board's bits.
-const MOST: usize = 16;
-
-/// Bits behind the point of a column within the pixel.
-const PIECE_BITS: u32 = 29;
+const MOST: usize = 32;
 
 /// What the rounding of columns may make of two that are equal: 2^-17 pixel.
 const TOLERANCE: i32 = 1 << (PIECE_BITS - 17);
 
 /// How often a band is made shorter at the most.
 const TRIES: usize = 64;
-
-/// A line within the pixel: columns in 2^-29 pixel from its left side, heights in 2^-16 from the top of the row.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Piece {
-    x0: i32,
-    y0: i32,
-    x1: i32,
-    y1: i32,
-    /// Per 2^-16 pixel downwards, in 2^-45 pixel.
-    slope: i64,
-    /// Where it is at the top and the bottom of the band.
-    above: i32,
-    below: i32,
-    /// Where what has not been added yet begins.
-    from: (i32, i32),
-    weight: i8,
-    direction: i8,
-}
-
-impl Piece {
-    pub(super) const NONE: Self =
-        Self { x0: 0, y0: 0, x1: 0, y1: 0, slope: 0, above: 0, below: 0, from: (0, 0), weight: 0, direction: 0 };
-
-    /// Of a line between the two sides of a column, the left one in 2^-32 pixel.
-    #[inline]
-    pub(super) fn new(line: &Line, direction: i8, left: i64) -> Self {
-        #[allow(clippy::cast_possible_truncation, reason = "from 0 to 2^29")]
-        let within = |x: i64| ((x - left) >> (32 - PIECE_BITS)) as i32;
-        let (x0, x1) = (within(line.x0), within(line.x1));
-        let slope = floor_ratio(i64::from(x1 - x0) << 16, (line.y1 - line.y0).unsigned_abs());
-        Self { x0, y0: line.y0, x1, y1: line.y1, slope, above: x0, direction, ..Self::NONE }
-    }
-
-    #[inline]
-    fn x_at(&self, y: i32) -> i32 {
-        if y == self.y1 {
-            return self.x1;
-        }
-        #[allow(clippy::cast_possible_truncation, reason = "between both ends")]
-        let moved = ((self.slope * i64::from(y - self.y0)) >> 16) as i32;
-        self.x0 + moved
-    }
-
-    /// Adds what is left of it, down to a height, and goes on with another weight.
-    #[inline]
-    fn add(&mut self, (x, y): (i32, i32), weight: i8, column: i32, accumulator: &mut Accumulator) {
-        if self.weight != 0 && y > self.from.1 {
-            accumulator.add_to_column(column, (self.from.0, x), PIECE_BITS, y - self.from.1, self.weight.into());
-        }
-        (self.from, self.weight) = ((x, y), weight);
-    }
-}
 
 /// Pieces, and those of them that are there at a height, from left to right.
 pub(super) struct Pieces {
@@ -128,16 +73,15 @@ impl Pieces {
         inside: WindingRule,
         accumulator: &mut Accumulator,
     ) -> bool {
-        let starts = self.starts();
-        let mut starts =
-            starts.get(..self.count).unwrap_or_default().iter().map(|start| (start >> 8, start & 0xFF)).peekable();
+        let order = self.order();
+        let mut order = order.iter().copied().take(self.count).peekable();
         let (mut y, mut level, mut is_known) = (heights.start, 0, true);
         (self.alive, self.end) = (0, i32::MAX);
         while y < heights.end {
-            while let Some((_, piece)) = starts.next_if(|start| start.0 <= y) {
-                self.start(piece);
+            while let Some(number) = order.next_if(|&number| self.start_of(number) <= y) {
+                self.start(number);
             }
-            let mut to = starts.peek().map_or(heights.end, |start| start.0);
+            let mut to = order.peek().map_or(heights.end, |&number| self.start_of(number));
             while left.get(level).is_some_and(|level| level.end <= y) {
                 level += 1;
             }
@@ -154,33 +98,34 @@ impl Pieces {
         is_known
     }
 
-    /// Where each begins, with its number, from top to bottom.
-    fn starts(&self) -> [i32; MOST] {
-        let mut starts = [0; MOST];
-        for (at, piece) in self.pieces.iter().take(self.count).enumerate() {
-            if let Some(start) = starts.get_mut(at) {
-                #[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap, reason = "fewer than 256")]
-                let number = at as i32;
-                *start = piece.y0 << 8 | number;
+    /// Their numbers, by where they begin, from top to bottom.
+    fn order(&self) -> [u8; MOST] {
+        let mut order = [0; MOST];
+        for (number, at) in (0..).zip(0..self.count) {
+            if let Some(place) = order.get_mut(at) {
+                *place = number;
             }
             let mut place = at;
-            while let Some([.., before, here]) = starts.get_mut(..=place)
-                && *before > *here
+            while let Some([.., before, here]) = order.get_mut(..=place)
+                && self.start_of(*before) > self.start_of(*here)
             {
                 core::mem::swap(before, here);
                 place -= 1;
             }
         }
-        starts
+        order
     }
 
-    fn start(&mut self, piece: i32) {
+    #[inline]
+    fn start_of(&self, number: u8) -> i32 {
+        self.pieces.get(usize::from(number)).map_or(0, Piece::start)
+    }
+
+    fn start(&mut self, number: u8) {
         if let Some(place) = self.live.get_mut(self.alive) {
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "fewer than 256")]
-            let piece = piece as u8;
-            *place = piece;
+            *place = number;
             self.alive += 1;
-            self.end = self.end.min(self.piece(self.alive - 1).y1);
+            self.end = self.end.min(self.piece(self.alive - 1).end());
         }
     }
 
@@ -286,13 +231,13 @@ impl Pieces {
             let weight = inside.weight(winding, piece.direction) as i8;
             winding += i32::from(piece.direction);
             if weight != piece.weight {
-                piece.add((piece.above, heights.start), weight, column, accumulator);
+                piece.add(heights.start, weight, column, accumulator);
             }
             piece.above = piece.below;
-            if piece.y1 <= heights.end {
-                piece.add((piece.x1, piece.y1), 0, column, accumulator);
+            let end = piece.end();
+            if end <= heights.end {
+                piece.add(end, 0, column, accumulator);
             } else {
-                let end = piece.y1;
                 self.set_number(kept, number);
                 self.end = self.end.min(end);
                 kept += 1;

@@ -19,7 +19,8 @@ use crate::area::{
     fill::Fill,
     line::{Line, nearest},
     lines::Row,
-    pixel::{Piece, Pieces},
+    piece::Piece,
+    pixel::Pieces,
     source::{FINE_BITS, FINE_ONE},
     winding::Winding,
 };

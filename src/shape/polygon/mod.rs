@@ -93,7 +93,7 @@ use crate::{
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Polygon<'a> {
     pub(in crate::shape) contours: Contours<'a>,
-    pub(crate) rule: WindingRule,
+    pub(in crate::shape) rule: WindingRule,
 }
 
 impl<'a> Polygon<'a> {
