@@ -16,11 +16,14 @@
 //! begins at.
 
 use crate::area::{
-    accumulator::{Accumulator, Steepness, areas_beside},
+    accumulator::Accumulator,
+    cell::column_of,
     division::ratio,
     line::{Line, ceil, finest, floor},
     lines::{Course, Kept, Lines, Row},
+    pair::Side,
     source::{FINE_BITS, FINE_ONE, Source},
+    steepness::Steepness,
 };
 
 /// Scratch for one active edge of an anti-aliased polygon: 80 bytes.
@@ -33,10 +36,11 @@ pub struct CoverageEdge {
     x_top: i64,
     /// The steepness of the edge at the bottom of the row, worked out when it is first asked for.
     factor: u32,
-    shift: u8,
+    up: u8,
+    down: u8,
     /// How many of its lines are kept, and the first of them.
     kept: u8,
-    first_kept: u16,
+    first_kept: u8,
     contour: u32,
     /// Of the vertex that the edge at the bottom of the row leads to.
     index: u32,
@@ -86,7 +90,8 @@ impl CoverageEdge {
         slope: 0,
         x_top: 0,
         factor: 0,
-        shift: 0,
+        up: 0,
+        down: 0,
         kept: 0,
         first_kept: 0,
         contour: 0,
@@ -159,7 +164,7 @@ impl CoverageEdge {
     fn set_slope(&mut self, dx: i32, dy: i32) {
         let slope = ratio(dx.unsigned_abs(), dy.unsigned_abs()).cast_signed();
         self.slope = if dx < 0 { -slope } else { slope };
-        (self.factor, self.shift) = (0, 0);
+        self.factor = 0;
     }
 
     #[inline]
@@ -283,10 +288,12 @@ impl CoverageEdge {
         self.kept = 0;
     }
 
-    /// What it leaves of its columns to its right, if there is room for all; it crosses the whole row without a vertex.
+    /// Where it crosses the row; it does so without a vertex.
     #[inline]
-    pub(super) fn areas_beside(&mut self, areas: &mut [i32]) -> Option<usize> {
-        areas_beside((self.x_top, self.x), || self.steepness(), areas)
+    pub(super) fn side(&mut self) -> Side {
+        let (left, right) = (self.x_top.min(self.x), self.x_top.max(self.x));
+        let is_narrow = column_of(left) == column_of(right);
+        Side { left, right, steepness: if is_narrow { Steepness::UNKNOWN } else { self.steepness() } }
     }
 
     /// Adds it to a row, with a weight.
@@ -302,10 +309,10 @@ impl CoverageEdge {
     #[inline]
     fn steepness(&mut self) -> Steepness {
         if self.factor == 0 {
-            let Steepness { factor, shift } = Steepness::of_step(self.slope.unsigned_abs());
-            (self.factor, self.shift) = (factor, shift);
+            let Steepness { factor, up, down } = Steepness::of_slope(self.slope.unsigned_abs());
+            (self.factor, self.up, self.down) = (factor, up, down);
         }
-        Steepness { factor: self.factor, shift: self.shift }
+        Steepness { factor: self.factor, up: self.up, down: self.down }
     }
 
     #[inline(never)]

@@ -8,7 +8,7 @@
 //!         \   .'
 //! ```
 
-use core::{hint::black_box, mem::swap, ops::Range};
+use core::{mem::swap, ops::Range};
 
 use heapless::Vec;
 
@@ -16,10 +16,10 @@ use crate::{
     PixelRect,
     area::{
         AreaSink, PlacedAreaSink, WINDOW,
-        accumulator::FULL,
         edge::{Edge, Piece},
         far::each_part,
-        row::{GAP, Row, Sides},
+        pair::send_pair,
+        row::{Row, Sides},
         source::{FINE_BITS, FINE_ONE, Point},
         tiles::{for_each_tile, is_near},
     },
@@ -123,7 +123,7 @@ fn send_edges(edges: &[Edge], (width, height): (i32, i32), sink: &mut dyn AreaSi
             && until > row
         {
             while row < until {
-                let sent = send_pair(row, width, left, right, &mut areas, sink);
+                let sent = send_pair(row, width, [&left.side, &right.side], &mut areas, sink);
                 if !sent.unwrap_or_else(|| send_row(row, width, &[*left, *right], &mut areas, sink)) {
                     return false;
                 }
@@ -141,52 +141,12 @@ fn send_edges(edges: &[Edge], (width, height): (i32, i32), sink: &mut dyn AreaSi
     true
 }
 
-/// Sends what is between two edges that cross the row from top to bottom; `None` where the clip cuts it.
-///
-/// It is what `send_row` would send, as it is worked out, and for most rows of most shapes.
-#[inline]
-fn send_pair(
-    row: i32,
-    width: i32,
-    left: &Piece,
-    right: &Piece,
-    areas: &mut Areas,
-    sink: &mut dyn AreaSink,
-) -> Option<bool> {
-    let ((start, inside), (outside, end)) = (left.columns(), right.columns());
-    if start < 0 || end >= width || outside < start || end < inside {
-        return None;
-    }
-    let (areas, of_right) = areas.split_at_mut(WINDOW);
-    let of_left = left.areas::<false>(areas)?;
-    let count = right.areas::<true>(of_right)?;
-    let of_right = of_right.get(..count)?;
-    let before = (outside - start).unsigned_abs() as usize;
-    if before > of_left + GAP {
-        return Some(
-            sink.run(row, start, areas.get(..of_left)?)
-                && sink.span(row, inside + 1..outside, FULL)
-                && sink.run(row, outside, of_right),
-        );
-    }
-    let areas = areas.get_mut(..before + of_right.len())?;
-    for area in areas.get_mut(of_left..)? {
-        black_box(());
-        *area = FULL;
-    }
-    for (area, of_right) in areas.get_mut(before..)?.iter_mut().zip(of_right) {
-        black_box(());
-        *area -= FULL - of_right;
-    }
-    Some(sink.run(row, start, areas))
-}
-
 #[inline(never)]
 fn send_row(row: i32, width: i32, pieces: &[Piece], areas: &mut Areas, sink: &mut dyn AreaSink) -> bool {
     let (mut left, mut right) = (width..i32::MIN, width..i32::MIN);
     let (mut inside, mut unseen) = (0, 0);
     for piece in pieces {
-        let (first, last) = piece.columns();
+        let (first, last) = piece.side.columns();
         let side = if piece.is_left() { &mut left } else { &mut right };
         (side.start, side.end) = (side.start.min(first), side.end.max(last + 1));
         inside += piece.beyond().max(0);

@@ -2,7 +2,8 @@
 
 use crate::area::{
     AreaSink,
-    accumulator::{Accumulator, FULL, WINDOW, WINDOW_COLUMNS},
+    accumulator::{Accumulator, WINDOW, WINDOW_COLUMNS},
+    cell::FULL,
 };
 
 /// What of a window is handed over.

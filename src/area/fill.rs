@@ -15,12 +15,14 @@
 use crate::{
     area::{
         AreaSink,
-        accumulator::{Accumulator, FULL, WINDOW_COLUMNS},
+        accumulator::{Accumulator, WINDOW_COLUMNS},
+        cell::FULL,
         chain::{CoverageEdge, State},
         emission::Emission,
         lines::{Kept, Row},
         order,
-        pair::{self, NO_AREAS, PairAreas, send_pair},
+        pair::send_pair,
+        row::GAP,
         source::{FINE_BITS, Source},
         sweep,
         table::Table,
@@ -28,6 +30,12 @@ use crate::{
     },
     outline::WindingRule,
 };
+
+/// The most columns of an edge of a pair.
+const EDGE_COLUMNS: i32 = 6;
+
+/// What a pair sends at once.
+const PAIR_COLUMNS: usize = 2 * EDGE_COLUMNS.unsigned_abs() as usize + GAP;
 
 /// Sends the areas of an outline within `width` columns and `height` rows; too few slots leave chains out.
 pub(crate) fn fill(
@@ -44,7 +52,7 @@ pub(crate) fn fill(
         row: 0,
         winding: Winding::new(0),
         accumulator: Accumulator::new(),
-        pair_areas: NO_AREAS,
+        pair_areas: [0; 2 * PAIR_COLUMNS],
         kept: Kept::new(),
         swept_from: usize::MAX,
     };
@@ -74,7 +82,8 @@ pub(super) struct Fill<'a, 's> {
     row: i32,
     pub(super) winding: Winding,
     pub(super) accumulator: Accumulator,
-    pair_areas: PairAreas,
+    /// Of both edges of a pair.
+    pair_areas: [i32; 2 * PAIR_COLUMNS],
     pub(super) kept: Kept,
     /// From this place on, the row has more levels than there is room for.
     swept_from: usize,
@@ -99,7 +108,7 @@ impl Fill<'_, '_> {
             let place = self.table.place(at);
             let Some(chain) = self.table.slots.get(place.slot as usize) else { return false };
             let (low, high) = (place.low >> FINE_BITS, chain.high >> FINE_BITS);
-            if !chain.is_single || low < next_column || high - low >= pair::COLUMNS_AT_MOST {
+            if !chain.is_single || low < next_column || high - low >= EDGE_COLUMNS {
                 return false;
             }
             winding += i32::from(chain.direction);
@@ -116,9 +125,9 @@ impl Fill<'_, '_> {
         while at < self.table.active {
             let (left, right) = (self.table.place(at), self.table.place(at + 1));
             let slots = self.table.slots.get_disjoint_mut([left.slot as usize, right.slot as usize]);
-            let Ok([left_edge, right_edge]) = slots else { return true };
-            let (left, right) = ((left_edge, left.low >> FINE_BITS), (right_edge, right.low >> FINE_BITS));
-            if send_pair(self.row, self.width, left, right, &mut self.pair_areas, sink) == Some(false) {
+            let Ok([left, right]) = slots else { return true };
+            let sides = [&left.side(), &right.side()];
+            if send_pair(self.row, self.width, sides, &mut self.pair_areas, sink) == Some(false) {
                 return false;
             }
             at += 2;

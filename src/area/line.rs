@@ -3,9 +3,10 @@
 use core::ops::Range;
 
 use crate::area::{
-    accumulator::{Accumulator, Steepness},
+    accumulator::Accumulator,
     division::{floor_ratio, part_of},
     source::{FINE_BITS, FINE_ONE},
+    steepness::Steepness,
 };
 
 /// Columns in 2^-32 pixel, heights in 2^-16 from the top of the row; y0 < y1.

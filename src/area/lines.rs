@@ -44,13 +44,13 @@ impl Kept {
     }
 
     /// Keeps lines, if there is room for all: the first, and how many.
-    pub(super) fn keep(&mut self, lines: Course<'_>) -> Option<(u16, u8)> {
+    pub(super) fn keep(&mut self, lines: Course<'_>) -> Option<(u8, u8)> {
         let mut end = self.used;
         for line in lines {
             *self.lines.get_mut(end)? = line;
             end += 1;
         }
-        let kept = (u16::try_from(self.used).ok()?, u8::try_from(end - self.used).ok()?);
+        let kept = (u8::try_from(self.used).ok()?, u8::try_from(end - self.used).ok()?);
         self.used = end;
         Some(kept)
     }

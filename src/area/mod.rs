@@ -1,6 +1,7 @@
 //! Exact areas.
 
 mod accumulator;
+mod cell;
 mod chain;
 mod circle;
 mod contour_areas;
@@ -22,6 +23,7 @@ mod rounded;
 mod row;
 mod sink;
 pub(crate) mod source;
+mod steepness;
 mod sweep;
 mod table;
 mod tiles;

@@ -1,6 +1,11 @@
 //! What one pixel has of a line, in words of 32 bits.
 
-use crate::area::{accumulator::Accumulator, division::floor_ratio, line::Line};
+use crate::area::{
+    accumulator::Accumulator,
+    cell::{CELL_BITS, WHOLE},
+    division::floor_ratio,
+    line::Line,
+};
 
 /// Bits behind the point of a column within the pixel.
 pub(super) const PIECE_BITS: u32 = 29;
@@ -68,11 +73,17 @@ impl Piece {
     pub(super) fn add(&mut self, y: i32, weight: i8, column: i32, accumulator: &mut Accumulator) {
         let from = self.from.into();
         if self.weight != 0 && y > from {
-            let columns = (self.x_at(from), self.x_at(y));
-            accumulator.add_to_column(column, columns, PIECE_BITS, y - from, self.weight.into());
+            let columns = (in_cell(self.x_at(from)), in_cell(self.x_at(y)));
+            accumulator.add_to_column(column, columns, y - from, self.weight.into());
         }
         (self.from, self.weight) = (height(y), weight);
     }
+}
+
+/// From 2^-29 pixel to 2^-24; what lies on the right side is still within.
+#[inline]
+fn in_cell(x: i32) -> u32 {
+    (x.unsigned_abs() >> (PIECE_BITS - CELL_BITS)).min(WHOLE - 1)
 }
 
 /// Below a pixel's, which no piece begins at.
