@@ -2,6 +2,8 @@
 //! wrong is written down in `tests/methods/polygon.txt`. `BLESS=1` writes it anew.
 
 mod oracle;
+#[path = "methods/pictures.rs"]
+mod pictures;
 #[path = "../examples/methods/variants/mod.rs"]
 mod variants;
 
@@ -12,10 +14,10 @@ use std::{
     fs,
     panic::{AssertUnwindSafe, catch_unwind},
     path::Path,
-    sync::Mutex,
 };
 
 use oracle::{Belongs, Rng};
+use pictures::picture;
 use spanfill::{
     FillRule, FragmentSink, PixelRect, Vertex,
     methods::polygon::{Failure, METHODS, ear, fan, scan_line, seed},
@@ -24,9 +26,6 @@ use variants::{
     HEIGHT, Picture, SCREEN, Variant, WIDTH,
     polygon::{Outline, POLYGONS},
 };
-
-/// Of 1.8 MB: one at a time.
-static PICTURE: Mutex<Picture> = Mutex::new(Picture::new());
 
 /// Contours of a test, as long as the program runs: a few hundred small ones.
 fn outline(contours: Vec<Vec<[i32; 2]>>, even_odd: bool) -> Outline {
@@ -152,7 +151,7 @@ fn expected(outline: &Outline) -> Vec<bool> {
 
 /// The errors of every variant on each kind of shape.
 fn measure(shapes: u64) -> Vec<(&'static Variant<Outline>, Vec<Errors>)> {
-    let mut picture = PICTURE.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+    let mut picture = picture();
     let mut all: Vec<_> = POLYGONS.iter().map(|variant| (variant, vec![Errors::default(); KINDS.len()])).collect();
     for (kind, name) in KINDS.into_iter().enumerate() {
         for case in 0..shapes {
@@ -236,7 +235,7 @@ fn compare_with_recorded(text: &str) {
 /// All ways to grow from a seed reach the same pixels: the bounded stacks, too.
 #[test]
 fn all_seed_fills_fill_the_same() {
-    let mut picture = PICTURE.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+    let mut picture = picture();
     let groups: [&[(&str, &str)]; 2] = [
         &[
             ("seed fill by pixels", "4-connected"),
@@ -315,7 +314,7 @@ impl FragmentSink for Counts {
 /// A part of the screen shows what the whole does; of what grows from a seed, only where the part holds all of it.
 #[test]
 fn a_clip_shows_a_part_of_the_same_picture() {
-    let mut picture = PICTURE.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+    let mut picture = picture();
     let clips = [
         PixelRect { rows: 100..101, columns: 0..WIDTH },
         PixelRect { rows: 0..HEIGHT, columns: 133..170 },
@@ -356,7 +355,6 @@ fn a_clip_shows_a_part_of_the_same_picture() {
 /// The ends of the range, degenerate and empty outlines: no method panics or runs for ever.
 #[test]
 fn nothing_panics_at_the_ends_of_the_range_or_on_nothing() {
-    let mut picture = PICTURE.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
     let ends = [i32::MIN, i32::MIN + 1, -(1 << 23), -129, -128, 0, 127, 128, 40_000, 1 << 23, i32::MAX - 1, i32::MAX];
     let mut shapes = vec![vec![], vec![vec![]], vec![vec![[5000, 5000]]], vec![vec![[5000, 5000]; 9], vec![]]];
     let mut rng = Rng::new(15, 0);
@@ -364,15 +362,22 @@ fn nothing_panics_at_the_ends_of_the_range_or_on_nothing() {
         let vertices = (0..rng.int(1..=7)).map(|_| [rng.pick(&ends), rng.pick(&ends)]).collect();
         shapes.push(vec![vertices, vec![[rng.pick(&ends), rng.pick(&ends)], [0, 0], [60_000, 40_000]]]);
     }
-    for contours in shapes {
-        for even_odd in [false, true] {
-            let outline = outline(contours.clone(), even_odd);
-            for variant in POLYGONS {
-                let drawn = catch_unwind(AssertUnwindSafe(|| draw(variant, &outline, &SCREEN, &mut picture)));
+    let outlines: Vec<Outline> =
+        shapes.into_iter().flat_map(|contours| [false, true].map(|rule| outline(contours.clone(), rule))).collect();
+    let check = |variants: &[Variant<Outline>]| {
+        let mut picture = picture();
+        for outline in &outlines {
+            for variant in variants {
+                let drawn = catch_unwind(AssertUnwindSafe(|| draw(variant, outline, &SCREEN, &mut picture)));
                 assert!(drawn.is_ok(), "{} {}, {outline:?}", variant.method, variant.option);
             }
         }
-    }
+    };
+    let (some, others) = POLYGONS.split_at(POLYGONS.len() / 2);
+    std::thread::scope(|scope| {
+        scope.spawn(|| check(some));
+        check(others);
+    });
 }
 
 #[test]

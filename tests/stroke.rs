@@ -658,29 +658,32 @@ fn what_makes_no_sense_draws_what_svg_says() {
 #[test]
 fn no_stroke_is_too_wide_or_too_far() {
     let ends = [i32::MIN, -1, 0, i32::MAX];
-    for a in ends {
-        for b in ends {
-            let [p, q] = [FinePoint::from_bits(a, b), FinePoint::from_bits(b, a)];
-            let elements = [
-                Element::Move(p),
-                Element::Cubic(q, p, q),
-                Element::Quadratic(p, q),
-                Element::arc(q, p, Angle::fraction(1, 7), true, a > b, p),
-                Element::Line(q),
-                Element::Close,
-            ];
-            for (cap, join) in styles() {
-                let style = StrokeStyle::new(u32::MAX).cap(cap).join(join);
-                let path = Path::new(&elements).transformed(Transform::scaled(b, a));
-                assert!(Stroke::new(path, style).count().contours < 1000);
-                let dashes = [u32::MAX, 1 << 30];
-                assert!(
-                    Stroke::new(Path::new(&elements), style.dashes(&dashes).phase(i32::MIN)).count().contours < 10_000
-                );
-            }
+    std::thread::scope(|scope| {
+        for a in ends {
+            scope.spawn(move || ends.map(|b| stroke_far(a, b)));
         }
-    }
+    });
     let _ = Path::new(&[]).outline();
+}
+
+/// Any style, as wide as can be, between two coordinates.
+fn stroke_far(a: i32, b: i32) {
+    let [p, q] = [FinePoint::from_bits(a, b), FinePoint::from_bits(b, a)];
+    let elements = [
+        Element::Move(p),
+        Element::Cubic(q, p, q),
+        Element::Quadratic(p, q),
+        Element::arc(q, p, Angle::fraction(1, 7), true, a > b, p),
+        Element::Line(q),
+        Element::Close,
+    ];
+    for (cap, join) in styles() {
+        let style = StrokeStyle::new(u32::MAX).cap(cap).join(join);
+        let path = Path::new(&elements).transformed(Transform::scaled(b, a));
+        assert!(Stroke::new(path, style).count().contours < 1000);
+        let dashes = [u32::MAX, 1 << 30];
+        assert!(Stroke::new(Path::new(&elements), style.dashes(&dashes).phase(i32::MIN)).count().contours < 10_000);
+    }
 }
 
 #[test]

@@ -1,12 +1,10 @@
-//! Where the tests of the methods draw: one picture, taken in turns, looked at through a window.
+//! Where the tests of the methods draw: pictures, looked at through a window.
 
-use std::sync::{Mutex, PoisonError};
+mod pictures;
 
 use spanfill::PixelRect;
 
 use crate::variants::{Picture, Variant, WIDTH};
-
-static PICTURE: Mutex<Picture> = Mutex::new(Picture::new());
 
 /// What a variant drew in a window.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -24,7 +22,7 @@ impl Drawn {
     ///
     /// None if the variant cannot draw such a shape; then nothing came.
     pub(crate) fn new<S: ?Sized>(variant: &Variant<S>, shape: &S, window: &PixelRect) -> Option<Self> {
-        let mut picture = PICTURE.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut picture = pictures::picture();
         let outcome = (variant.check)(shape, window, &mut picture);
         let at = |row: i32| {
             let index = |column: i32| (row * WIDTH + column) as usize;

@@ -1,7 +1,8 @@
 //! Fixed triangles of several kinds, what the rule says of their pixels, and what a method makes of them.
 
-use std::sync::{Mutex, MutexGuard};
+mod pictures;
 
+pub(crate) use pictures::picture;
 use spanfill::PixelRect;
 
 use crate::{
@@ -39,16 +40,6 @@ pub(crate) fn truth(v: &Corners, x: i32, y: i32) -> Truth {
     }
     let owns = edges.iter().all(|(from, to)| i128::from(side(*from, *to, p)) == area);
     if owns { Truth::TieInside } else { Truth::TieOutside }
-}
-
-/// One picture for all tests: it is too large for a stack.
-static PICTURE: Mutex<Picture> = Mutex::new(Picture::new());
-
-pub(crate) fn picture() -> MutexGuard<'static, Picture> {
-    PICTURE.lock().unwrap_or_else(|poisoned| {
-        PICTURE.clear_poison();
-        poisoned.into_inner()
-    })
 }
 
 /// Wipes the rows that a clip has, and one around them.

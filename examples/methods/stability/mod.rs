@@ -13,12 +13,12 @@ mod shared;
 mod suspicions;
 mod triangles;
 
+use std::{panic::resume_unwind, thread};
+
 pub(crate) use report::Report;
 
-/// The whole report.
+/// The whole report: its parts are made beside each other.
 pub(crate) fn report(mut progress: impl FnMut(&str)) -> Report {
-    let mut report = Report::default();
-    report.text.push_str(HEAD);
     type Part = fn(&mut Report);
     let parts: [(&str, Part); 9] = [
         ("triangles", triangles::report),
@@ -31,10 +31,24 @@ pub(crate) fn report(mut progress: impl FnMut(&str)) -> Report {
         ("numbers", numbers::report),
         ("suspicions", suspicions::report),
     ];
-    for (name, part) in parts {
-        progress(name);
-        part(&mut report);
-    }
+    let mut report = Report::default();
+    report.text.push_str(HEAD);
+    thread::scope(|scope| {
+        let making = parts.map(|(name, part)| {
+            let of_part = move || {
+                let mut report = Report::default();
+                part(&mut report);
+                report
+            };
+            (name, scope.spawn(of_part))
+        });
+        for (name, part) in making {
+            progress(name);
+            let part = part.join().unwrap_or_else(|panic| resume_unwind(panic));
+            report.text.push_str(&part.text);
+            report.pictures.extend(part.pictures);
+        }
+    });
     report
 }
 
