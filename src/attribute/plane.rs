@@ -50,7 +50,8 @@ pub(crate) trait Word: Copy + Debug {
 /// For areas below 2^32, values that differ by less than 2^31 and vertices less than 2^22 from the first.
 ///
 /// `|gx|` is twice an area in the plane of `c` and `y`, so at most `2^31 * 2^23`, and `256 gx` fits 63 bits. Inside the
-/// triangle `gx x + gy y` is `A (c - c0)`, below 2^63: its terms may wrap, their sum does not.
+/// triangle `gx x + gy y` is `A (c - c0)`, at most `(2^32 - 1) (2^31 - 1)`: its terms may wrap, their sum does not, nor with
+/// half an area more.
 impl Word for u32 {
     type Product = i64;
 
@@ -89,7 +90,7 @@ impl Word for u32 {
     #[inline(always)]
     fn divided(gx: i64, gy: i64, x: i64, y: i64, area: u32) -> (i32, u32) {
         let n = gx.wrapping_mul(x).wrapping_add(gy.wrapping_mul(y));
-        divide_narrow(n.saturating_add(i64::from(area / 2)), area)
+        divide_narrow(n.wrapping_add(i64::from(area / 2)), area)
     }
 }
 
