@@ -366,7 +366,7 @@ fn the_enclosures_hold_what_floats_say() {
         let whole = (1_u64 << angle::BITS) as f64;
         let off = (low as f64 / whole - turn).abs().max((high as f64 / whole - turn).abs());
         // Next to the whole turn, one may be on its other side.
-        if off < 1e-15 || off > 1.0 - 1e-15 { Ok(1) } else { Err(format!("{x} {y}: {off}")) }
+        if (1e-15..1.0 - 1e-15).contains(&off) { Err(format!("{x} {y}: {off}")) } else { Ok(1) }
     });
 }
 

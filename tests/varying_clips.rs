@@ -66,13 +66,11 @@ fn cuts(rng: &mut Rng, start: i32, length: u32) -> Vec<(i32, u32)> {
     at.windows(2).map(|two| (start + two[0] as i32, two[1] - two[0])).collect()
 }
 
+/// A way to draw.
+type Draw<'d, C> = &'d dyn Fn(&mut Memory<C>);
+
 /// Draws on the whole of an area and on its parts: bands, tiles, and a window in its middle.
-fn check<C: PixelColor>(
-    rng: &mut Rng,
-    area: Rectangle,
-    background: C,
-    draws: &[&dyn Fn(&mut Memory<C>)],
-) -> Result<(), String> {
+fn check<C: PixelColor>(rng: &mut Rng, area: Rectangle, background: C, draws: &[Draw<'_, C>]) -> Result<(), String> {
     let [mut whole, mut parts] = [(); 2].map(|()| Memory::new(area, background));
     let Some(draw) = draws.first() else { return Ok(()) };
     draw(&mut whole);
