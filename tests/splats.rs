@@ -5,13 +5,19 @@ mod builder;
 mod oracle;
 
 use builder::{Point, build, normal_code};
-use embedded_graphics::pixelcolor::Rgb565;
+use embedded_graphics::{
+    Pixel,
+    draw_target::DrawTarget,
+    geometry::{OriginDimensions, Point as Point2, Size},
+    pixelcolor::{Rgb565, RgbColor as _},
+    primitives::Rectangle,
+};
 use oracle::{Rng, cases, for_each_case};
 use spanfill::{
-    PixelRect,
+    DepthBuffer, PixelRect, PixelRows,
     splat::{
-        BrokenModel, CONE_SINES, Model, NORMAL_CODES, Node, Refinement, SPHERE_CODES, Sphere, Splat, SplatSink, View,
-        normal,
+        BrokenModel, CONE_SINES, Model, NORMAL_CODES, Node, Refinement, SPHERE_CODES, Sphere, Splat, SplatSink,
+        Squares, View, normal,
     },
 };
 
@@ -168,23 +174,158 @@ fn budgets_and_thresholds_hold() {
     }
 }
 
+/// Pixels and depths of their own, around which nothing may be drawn.
+struct Screen(Vec<Rgb565>);
+
+impl OriginDimensions for Screen {
+    fn size(&self) -> Size {
+        Size::new(32, 24)
+    }
+}
+
+impl DrawTarget for Screen {
+    type Color = Rgb565;
+    type Error = std::convert::Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(&mut self, pixels: I) -> Result<(), Self::Error> {
+        for Pixel(Point2 { x, y }, colour) in pixels {
+            *self.row_from(Point2::new(x, y)).expect("nothing is sent outside").first_mut().expect("a pixel") = colour;
+        }
+        Ok(())
+    }
+}
+
+impl PixelRows for Screen {
+    fn row_from(&mut self, start: Point2) -> Option<&mut [Rgb565]> {
+        let (x, y) = (usize::try_from(start.x).ok()?, usize::try_from(start.y).ok()?);
+        self.0.chunks_mut(32).nth(y)?.get_mut(x..).filter(|row| !row.is_empty())
+    }
+}
+
+/// Looks at every node of a model that may be broken, and draws it, finely and roughly: within the budget, on the screen and
+/// nowhere else, or an error. Whether it is whole.
+fn survives(bytes: &[u8]) -> bool {
+    let Ok(model) = Model::new(bytes) else { return false };
+    let whole = model.check();
+    let axes = [[16384, 0, 0], [0, 16384, 0], [0, 0, 16384]];
+    let view = View::new([0, 0, -(1 << 24)], axes, [16 * 256, 12 * 256], 40 * 256, 1 << 16).expect("a view");
+    let screen = PixelRect { rows: 0..24, columns: 0..32 };
+    for threshold in [0, 256] {
+        let refinement = Refinement { threshold, budget: 999 };
+        let mut splats = Record::default();
+        let drawn = model.draw(&view, &screen, refinement, &mut splats);
+        assert!(splats.0.len() <= 999 && drawn.is_err() | (drawn == Ok(splats.0.len() as u32)));
+        let (mut target, mut memory) = (Screen(vec![Rgb565::BLACK; 32 * 24]), vec![u16::MAX; 32 * 24]);
+        let area = Rectangle::new(Point2::zero(), Size::new(32, 24));
+        let mut depths = DepthBuffer::new(area, 32, &mut memory).expect("large enough");
+        let on_screen =
+            model.draw(&view, &screen, refinement, &mut Squares::new(&mut target, &mut depths, |s| s.colour));
+        assert_eq!(drawn, on_screen);
+        // A model that is whole is drawn.
+        assert!(whole.is_err() || drawn.is_ok());
+    }
+    whole.is_ok()
+}
+
+/// Where the offsets of a model are: of the root's group, then those of groups with grandchildren; and the groups themselves.
+fn offsets_and_groups(bytes: &[u8]) -> (Vec<usize>, Vec<usize>) {
+    let word = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap()) as usize;
+    let node = |at: usize| Node::from_bytes(bytes[at..at + 6].try_into().unwrap());
+    let (mut offsets, mut groups, mut waiting) = (vec![30], Vec::new(), vec![(node(24), word(30))]);
+    while let Some((parent, group)) = waiting.pop() {
+        groups.push(group);
+        if !parent.grandchildren {
+            continue;
+        }
+        let at = group + 6 * parent.children as usize;
+        offsets.push(at);
+        let mut below = word(at);
+        for child in (0..parent.children as usize).map(|index| node(group + 6 * index)) {
+            if child.children > 0 {
+                waiting.push((child, below));
+                below += 6 * child.children as usize + if child.grandchildren { 4 } else { 0 };
+            }
+        }
+    }
+    (offsets, groups)
+}
+
 #[test]
-fn broken_models_are_errors_and_end() {
-    let mut rng = Rng::new(0x5976, 0);
-    let bytes = build(&mut cloud(&mut rng, 3_000));
+fn every_truncation_is_an_error() {
+    for count in [2, 3, 5, 40, 150] {
+        let bytes = build(&mut cloud(&mut Rng::new(0x5978, count), count as usize));
+        assert!(survives(&bytes));
+        for length in 0..bytes.len() {
+            assert!(!survives(&bytes[..length]), "{length} of {} bytes", bytes.len());
+        }
+    }
+}
+
+/// A byte that is another is an error, or a sphere, normal or colour that there is: never more nodes, never fewer.
+#[test]
+fn every_byte_may_be_any_other() {
+    let bytes = build(&mut cloud(&mut Rng::new(0x5979, 0), 24));
+    let (mut broken, mut others) = (0, 0);
+    for at in 0..bytes.len() {
+        for change in 1..=255 {
+            let mut changed = bytes.clone();
+            changed[at] ^= change;
+            if survives(&changed) {
+                others += 1
+            } else {
+                broken += 1
+            }
+            // What a model begins with, and how many nodes it has, may not be anything else.
+            assert!(at >= 8 || !survives(&changed), "byte {at}");
+        }
+    }
+    println!("{broken} are errors, {others} another model");
+    assert!(broken > 10_000 && others > 10_000);
+}
+
+/// Every offset to every group at or before its own: all ways to go in a circle.
+#[test]
+fn offsets_that_go_in_a_circle_are_errors() {
+    let bytes = build(&mut cloud(&mut Rng::new(0x597A, 0), 200));
+    let (offsets, groups) = offsets_and_groups(&bytes);
+    assert!(offsets.len() > 20 && groups.len() > 60);
+    for at in offsets.iter().copied().filter(|at| *at > 30) {
+        for group in groups.iter().copied().chain([0, 24, at]).filter(|group| *group < at + 4) {
+            let mut circle = bytes.clone();
+            circle[at..at + 4].copy_from_slice(&(group as u32).to_le_bytes());
+            assert_eq!(Model::new(&circle).unwrap().check(), Err(BrokenModel::Backwards { offset: group }));
+            assert!(!survives(&circle));
+        }
+    }
+    // The root's group cannot be within the header.
+    for group in 0..34 {
+        let mut circle = bytes.clone();
+        circle[30..34].copy_from_slice(&(group as u32).to_le_bytes());
+        assert_eq!(Model::new(&circle).err(), Some(BrokenModel::Backwards { offset: group }));
+    }
+}
+
+#[test]
+fn more_nodes_or_fewer_are_errors() {
+    let bytes = build(&mut cloud(&mut Rng::new(0x597B, 0), 300));
+    let nodes = u32::from_le_bytes(bytes[4..8].try_into().unwrap());
+    let with = |nodes: u32| [&bytes[..4], &nodes.to_le_bytes(), &bytes[8..]].concat();
+    for (wrong, error) in [
+        (nodes - 1, BrokenModel::TooManyNodes),
+        (0, BrokenModel::TooManyNodes),
+        (nodes + 1, BrokenModel::TooFewNodes { missing: 1 }),
+        (u32::MAX, BrokenModel::TooFewNodes { missing: u32::MAX - nodes }),
+    ] {
+        assert_eq!(Model::new(&with(wrong)).unwrap().check(), Err(error));
+    }
+}
+
+#[test]
+fn many_wrong_bytes_end() {
+    let bytes = build(&mut cloud(&mut Rng::new(0x5976, 0), 3_000));
     assert_eq!(Model::new(&bytes[..33]).err(), Some(BrokenModel::NoHeader));
     assert!(matches!(Model::new(&bytes[..1000]).unwrap().check(), Err(BrokenModel::Ends { .. })));
-    // A group that leads to itself.
-    let mut circle = bytes.clone();
-    circle[58..62].copy_from_slice(&34_u32.to_le_bytes());
-    assert_eq!(Model::new(&circle).unwrap().check(), Err(BrokenModel::Backwards { offset: 34 }));
-    // Two groups that lead to one below: forwards, but twice.
-    let mut twice = bytes.clone();
-    let third = u32::from_le_bytes(bytes[58..62].try_into().unwrap()) as usize;
-    let shared: [u8; 4] = twice[third + 24..third + 28].try_into().unwrap();
-    twice[third + 28 + 24..third + 28 + 28].copy_from_slice(&shared);
-    let _ = Model::new(&twice).unwrap().check();
-    for_each_case(0x5977, cases(20_000), |rng| {
+    for_each_case(0x5977, cases(5_000), |rng| {
         let mut broken = bytes.clone();
         for _ in 0..rng.int(1..=6) {
             let at = if rng.one_in(2) { rng.index(200) } else { rng.index(broken.len()) };
@@ -193,13 +334,9 @@ fn broken_models_are_errors_and_end() {
         if rng.one_in(4) {
             broken.truncate(rng.index(broken.len()));
         }
-        if let Ok(model) = Model::new(&broken) {
-            // No more nodes are looked at than a whole model has, unless the header lies about it.
-            if model.nodes() < 1 << 16 {
-                let _ = model.check();
-                let _ =
-                    model.draw(&view(), &SCREEN, Refinement { threshold: 64, budget: 9999 }, &mut Record::default());
-            }
+        // No more nodes are looked at than a whole model has, unless the header lies about it.
+        if Model::new(&broken).is_ok_and(|model| model.nodes() < 1 << 16) {
+            survives(&broken);
         }
         Ok(1)
     });

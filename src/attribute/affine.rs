@@ -6,8 +6,9 @@ use crate::{
     PixelRect, Triangle,
     attribute::{
         AttributeRow, AttributeSink, Attributes,
-        plane::{Planes, Rightwards, Word},
+        plane::{Planes, Rightwards},
         walk::{Oriented, walk},
+        word::Word,
     },
 };
 

@@ -9,9 +9,10 @@ use crate::{
     attribute::{
         Affine, Attributes as _, Channels,
         joined::{Joined, Units},
-        plane::{Planes, Word},
+        plane::Planes,
         shaded::row_of,
         walk::{Oriented, walk},
+        word::Word,
     },
     draw::Fill as _,
     shape::Shape as _,

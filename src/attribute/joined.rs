@@ -10,8 +10,9 @@
 use core::hint::select_unpredictable;
 
 use crate::attribute::{
-    plane::{NEAR_COLUMNS, Planes, Step, Word},
+    plane::{NEAR_COLUMNS, Planes, Step},
     walk::Follow,
+    word::Word,
 };
 
 /// What one of each value adds to each word.

@@ -17,11 +17,14 @@ mod gouraud;
 mod joined;
 mod packed;
 mod perspective;
+mod pieces;
 mod plane;
+mod quotients;
 mod shaded;
 mod texture;
 mod values;
 mod walk;
+mod word;
 
 pub use affine::Affine;
 pub use barycentric::{Barycentric, Weights};

@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use crate::{
     PixelRect, Triangle, Vertex,
-    attribute::plane::{Planes, Word},
+    attribute::{plane::Planes, word::Word},
     shape::Shape,
     span::{Span, SpanSink},
 };

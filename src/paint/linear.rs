@@ -61,7 +61,7 @@ impl<C: Channels<N>, const N: usize> Paint<C> for LinearGradient<'_, C, N> {
     fn row(&self, row: i32, column: i32) -> impl Iterator<Item = C> {
         match &self.plane {
             Some(plane) => self.stops.colours(row, column, plane.row(row, column)),
-            None => self.stops.padded().colours(row, column, Places { at: WHOLE, step: 0 }),
+            None => self.stops.padded().colours(row, column, Places::alike(WHOLE)),
         }
     }
 }

@@ -181,7 +181,7 @@ impl<C: Channels<N>, const N: usize> Paint<C> for RadialGradient<'_, C, N> {
         // Without an area, all is beyond the end.
         let (beside, stops) = match self.axes {
             Some(_) => (beside, self.stops),
-            None => (Places { at: -WHOLE, step: 0 }, self.stops.padded()),
+            None => (Places::alike(-WHOLE), self.stops.padded()),
         };
         let places = u.zip(v).zip(beside).map(|((u, v), beside)| hypot(u, v).saturating_sub(beside));
         stops.colours(row, column, places)

@@ -90,6 +90,9 @@ pub struct Stops<'a, C, const N: usize> {
 /// A whole gradient, in the unit of places within it.
 pub(super) const WHOLE: i64 = 1 << 32;
 
+/// Before the start: not the same as there, where two stops may be.
+const BEFORE: i64 = -1;
+
 impl<'a, C: Channels<N>, const N: usize> Stops<'a, C, N> {
     /// Stops in order.
     ///
@@ -152,7 +155,7 @@ impl<'a, C: Channels<N>, const N: usize> Stops<'a, C, N> {
         let (before, after) = (after.checked_sub(1).and_then(|at| self.stops.get(at)), self.stops.get(after));
         let Some((first, second)) = before.or(after).zip(after.or(before)) else { return Between::EMPTY };
         let (start, end) = (
-            before.map_or(0, |stop| i64::from(stop.offset) << 16),
+            before.map_or(BEFORE, |stop| i64::from(stop.offset) << 16),
             after.map_or(WHOLE + 1, |stop| i64::from(stop.offset) << 16),
         );
         let from = first.colour.channels();
@@ -175,7 +178,7 @@ struct Between<const N: usize> {
 }
 
 impl<const N: usize> Between<N> {
-    const EMPTY: Self = Self { start: 0, end: WHOLE + 1, inverse: 0, from: [0; N], change: [0; N] };
+    const EMPTY: Self = Self { start: BEFORE, end: WHOLE + 1, inverse: 0, from: [0; N], change: [0; N] };
 
     #[inline]
     fn has(&self, place: i64) -> bool {
@@ -196,11 +199,11 @@ impl<const N: usize> Between<N> {
 }
 
 impl Spread {
-    /// A place anywhere to one in `0..=WHOLE`.
+    /// A place anywhere to one in `BEFORE..=WHOLE`.
     #[inline]
     fn place(self, place: i64) -> i64 {
         match self {
-            Self::Pad => place.clamp(0, WHOLE),
+            Self::Pad => place.clamp(BEFORE, WHOLE),
             Self::Repeat => place & (WHOLE - 1),
             Self::Reflect => {
                 let twice = place & (2 * WHOLE - 1);

@@ -114,16 +114,20 @@ impl Model<'_> {
     ///
     /// # Errors
     ///
-    /// The first thing that is broken.
+    /// The first thing that is broken; nodes that nothing leads to, too.
     pub fn check(&self) -> Result<(), BrokenModel> {
-        self.descend(|_| Next::Below)
+        match self.descend(|_| Next::Below)? {
+            0 => Ok(()),
+            missing => Err(BrokenModel::TooFewNodes { missing }),
+        }
     }
 
     /// From the root down, depth first.
     ///
-    /// It ends, whatever the bytes are: a tree has no more nodes than its header says, and no more are looked at.
+    /// It ends, whatever the bytes are: a tree has no more nodes than its header says, and no more are looked at. Returns how
+    /// many more there could be.
     #[inline(always)]
-    fn descend(&self, mut look: impl FnMut(&mut Waiting) -> Next) -> Result<(), BrokenModel> {
+    fn descend(&self, mut look: impl FnMut(&mut Waiting) -> Next) -> Result<u32, BrokenModel> {
         let mut stack = heapless::Vec::<Waiting, STACK>::new();
         let (sphere, node, group) = (self.root, self.root_node, self.root_group);
         let _ = stack.push(Waiting { sphere, node, group, level: 0, inside: false, facing: false });
@@ -162,11 +166,11 @@ impl Model<'_> {
                 // Nothing is below a leaf: it need not wait.
                 left = left.checked_sub(1).ok_or(BrokenModel::TooManyNodes)?;
                 if matches!(look(&mut next), Next::End) {
-                    return Ok(());
+                    return Ok(left);
                 }
             }
         }
-        Ok(())
+        Ok(left)
     }
 
     /// The least threshold by which no more than `budget` splats are drawn, to an 8th of a pixel, from 0 to 64 px; and how

@@ -30,6 +30,11 @@ pub enum BrokenModel {
     TooDeep,
     /// Groups lead to more nodes than there are.
     TooManyNodes,
+    /// Groups lead to fewer nodes than there are.
+    TooFewNodes {
+        /// How many are not met.
+        missing: u32,
+    },
 }
 
 impl fmt::Display for BrokenModel {
@@ -41,6 +46,7 @@ impl fmt::Display for BrokenModel {
             Self::Code { offset } => write!(f, "the node at {offset} has a code without a meaning"),
             Self::TooDeep => f.write_str("the model has more than 24 levels"),
             Self::TooManyNodes => f.write_str("the model's groups lead to more nodes than it has"),
+            Self::TooFewNodes { missing } => write!(f, "the model's groups do not lead to {missing} of its nodes"),
         }
     }
 }
