@@ -102,7 +102,7 @@
 //! let mut scratch = Scratch::<{ ARROW.coverage_edges() }>::new();
 //! let mut display = MockDisplay::new();
 //! ARROW.within(&mut scratch)?.antialiased(Gray4::WHITE, Over(Gray4::BLACK)).draw(&mut display)?;
-//! display.assert_pattern(&["12    ", " 7A50 ", "  BFC1", " 7A50 ", "12    "]);
+//! display.assert_pattern(&["12    ", " 7B50 ", "  BFC2", " 7B50 ", "12    "]);
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 //!
