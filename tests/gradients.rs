@@ -2,11 +2,13 @@
 //! signs of whole numbers, of any size: nothing is rounded, and no line is shared with `src/`. Angles alone are no
 //! rationals: they lie between two that are known to enclose them, 2^-51 of a turn apart.
 
+mod memory;
 mod oracle;
 
-use std::{cmp::Ordering, convert::Infallible};
+use std::cmp::Ordering;
 
-use embedded_graphics::{pixelcolor::Gray8, prelude::*};
+use embedded_graphics::{image::GetPixel as _, pixelcolor::Gray8, prelude::*, primitives::Rectangle};
+use memory::Memory;
 use num_bigint::BigInt;
 use oracle::{Rng, cases, for_each_case};
 use spanfill::{
@@ -14,26 +16,6 @@ use spanfill::{
 };
 
 const SIDE: i32 = 32;
-
-struct Memory(Vec<u8>);
-
-impl OriginDimensions for Memory {
-    fn size(&self) -> Size {
-        Size::new_equal(SIDE as u32)
-    }
-}
-
-impl DrawTarget for Memory {
-    type Color = Gray8;
-    type Error = Infallible;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<Gray8>>>(&mut self, pixels: I) -> Result<(), Infallible> {
-        for Pixel(point, colour) in pixels {
-            self.0[(point.y * SIDE + point.x) as usize] = colour.luma();
-        }
-        Ok(())
-    }
-}
 
 /// Where a pixel centre is in a gradient, a real number.
 trait Place {
@@ -138,16 +120,17 @@ fn check<P: Place>(
     place: impl Fn([i64; 2]) -> P,
 ) -> Result<(), String> {
     let whole = Triangle::new(Vertex::new(-10, -10), Vertex::new(200, -10), Vertex::new(-10, 200));
-    let mut target = Memory(vec![0; (SIDE * SIDE) as usize]);
+    let area = Rectangle::new(Point::zero(), Size::new_equal(SIDE as u32));
+    let mut target = Memory::new(area, |_| Gray8::BLACK);
     let Ok(()) = whole.painted(paint).draw(&mut target);
-    for (index, level) in target.0.iter().enumerate() {
-        let [x, y] = [index as i32 % SIDE, index as i32 / SIDE];
+    for point in area.points() {
+        let (Point { x, y }, level) = (point, target.pixel(point).expect("inside").luma());
         let place = place([x, y].map(|at| i64::from(at) * 256 + 128));
         // Far out, repeated gradients lose their phase.
         if spread != Spread::Pad && place.nearly().abs() > 64.0 {
             continue;
         }
-        if !is_right(&place, i64::from(*level), stops, spread) {
+        if !is_right(&place, i64::from(level), stops, spread) {
             return Err(format!("{level} at {x} {y}, near {}: {stops:?} {spread:?}", place.nearly()));
         }
     }

@@ -1,61 +1,21 @@
 //! Colours that vary are the same bits in every clip, band and tile: packed and exact Gouraud colours, gradients, rounded
 //! and dithered, on targets that are sent pixels and on those that have rows.
 
+mod memory;
 mod oracle;
 
-use std::convert::Infallible;
-
 use embedded_graphics::{
+    image::GetPixel as _,
     pixelcolor::{Bgr555, Bgr565, Gray4, Rgb555, Rgb565},
     prelude::*,
     primitives::Rectangle,
 };
+use memory::Memory;
 use oracle::{Rng, cases, for_each_case, random};
 use spanfill::{
     ConicalGradient, Gouraud, InPlace, LinearGradient, Paint, Painting as _, PixelRect, PixelRows, RadialGradient,
     Spread, Stop, Stops, Triangle, Vertex,
 };
-
-/// Pixels in memory, anywhere on the screen, around which nothing may be sent.
-#[derive(PartialEq)]
-struct Memory<C> {
-    area: Rectangle,
-    pixels: Vec<C>,
-}
-
-impl<C: PixelColor> Memory<C> {
-    fn new(area: Rectangle, colour: C) -> Self {
-        Self { area, pixels: vec![colour; (area.size.width * area.size.height) as usize] }
-    }
-}
-
-impl<C> Dimensions for Memory<C> {
-    fn bounding_box(&self) -> Rectangle {
-        self.area
-    }
-}
-
-impl<C: PixelColor> PixelRows for Memory<C> {
-    fn row_from(&mut self, start: Point) -> Option<&mut [C]> {
-        if !self.area.contains(start) {
-            return None;
-        }
-        let (at, width) = (start - self.area.top_left, self.area.size.width as usize);
-        self.pixels.chunks_mut(width).nth(at.y as usize)?.get_mut(at.x as usize..)
-    }
-}
-
-impl<C: PixelColor> DrawTarget for Memory<C> {
-    type Color = C;
-    type Error = Infallible;
-
-    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
-        for Pixel(point, colour) in pixels {
-            self.row_from(point).expect("nothing is sent outside")[0] = colour;
-        }
-        Ok(())
-    }
-}
 
 /// Cuts a range in pieces: now and then in the very first or last pixel.
 fn cuts(rng: &mut Rng, start: i32, length: u32) -> Vec<(i32, u32)> {
@@ -71,7 +31,7 @@ type Draw<'d, C> = &'d dyn Fn(&mut Memory<C>);
 
 /// Draws on the whole of an area and on its parts: bands, tiles, and a window in its middle.
 fn check<C: PixelColor>(rng: &mut Rng, area: Rectangle, background: C, draws: &[Draw<'_, C>]) -> Result<(), String> {
-    let [mut whole, mut parts] = [(); 2].map(|()| Memory::new(area, background));
+    let [mut whole, mut parts] = [(); 2].map(|()| Memory::new(area, |_| background));
     let Some(draw) = draws.first() else { return Ok(()) };
     draw(&mut whole);
     for (which, draw) in draws.iter().enumerate() {
@@ -80,17 +40,19 @@ fn check<C: PixelColor>(rng: &mut Rng, area: Rectangle, background: C, draws: &[
             for (y, height) in cuts(rng, top_left.y, size.height) {
                 let columns = if tiled { cuts(rng, top_left.x, size.width) } else { vec![(top_left.x, size.width)] };
                 for (x, width) in columns {
-                    let mut part = Memory::new(Rectangle::new(Point::new(x, y), Size::new(width, height)), background);
+                    let area = Rectangle::new(Point::new(x, y), Size::new(width, height));
+                    let mut part = Memory::new(area, |_| background);
                     draw(&mut part);
-                    for (row, pixels) in (y..).zip(part.pixels.chunks(width as usize)) {
-                        parts.row_from(Point::new(x, row)).expect("inside")[..width as usize].copy_from_slice(pixels);
+                    for row in area.rows() {
+                        let start = Point::new(x, row);
+                        let pixels = part.row_from(start).expect("inside");
+                        parts.row_from(start).expect("inside")[..width as usize].copy_from_slice(pixels);
                     }
                 }
             }
             if whole != parts {
-                let first = whole.pixels.iter().zip(&parts.pixels).position(|(a, b)| a != b).unwrap_or(0);
-                let (x, y) = (first % size.width as usize, first / size.width as usize);
-                return Err(format!("way {which}, tiled {tiled}: {x} {y} of {area:?}"));
+                let first = area.points().find(|point| whole.pixel(*point) != parts.pixel(*point));
+                return Err(format!("way {which}, tiled {tiled}: {first:?} of {area:?}"));
             }
         }
     }

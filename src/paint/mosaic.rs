@@ -25,9 +25,9 @@
 //! their union, and it is rounded once:
 //!
 //! - Polygons have the rim of the polygon around all of them, in every pixel.
-//! - Triangles have one rim, however their union is cut. A polygon's area is worked out in another way, within 2^-15 of a
-//!   pixel of it, so that its level differs, by one, where the area is as near to a tie. Between vertices that are
-//!   multiples of 1/2 pixel, where many areas are ties, those are 3 % of the pixels of the rim; 0.06 % between others.
+//! - Triangles have one rim, however their union is cut. A polygon's rows are added up in another order, so that the level
+//!   differs, by one, where the area is a tie: in 5 of 53,423 pixels of rims between multiples of 1/2 pixel, where many
+//!   areas are ties, and in none of 99,786 between other vertices.
 //!
 //! For what knows its coverage alone, see [`Rounded`](crate::Rounded).
 
@@ -254,8 +254,7 @@ impl core::error::Error for MosaicScratchTooSmall {}
 ///
 /// Within shapes that leave no gap between them, every pixel is covered by 255 exactly, and is a mix of their colours
 /// by how much of it each covers. Along the rim of all of them, coverage is that of their union: for polygons the same
-/// bits, for triangles the same but for areas within 2^-15 pixel of a tie. Where shapes overlap, later ones cover earlier
-/// ones.
+/// bits, for triangles the same but for ties. Where shapes overlap, later ones cover earlier ones.
 ///
 /// ```text
 ///      .---------.---------.       a pixel on the common edge:

@@ -1,4 +1,4 @@
-//! Pictures to draw on: too large for a test's stack, and as many as tests run beside each other.
+//! Pictures to draw on, which are too large for a test's stack: a few, for tests that run beside each other.
 
 use std::sync::{Mutex, MutexGuard, TryLockError};
 
