@@ -59,7 +59,7 @@ impl Side {
 
 /// Sends what is between two sides; `None` where the clip cuts it, where they cross, or where a half of `areas` has no room for
 /// what is sent at once.
-#[inline]
+#[inline(always)]
 pub(super) fn send_pair(
     row: i32,
     width: i32,
